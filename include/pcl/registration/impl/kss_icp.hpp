@@ -1,0 +1,437 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include <pcl/console/print.h>
+#include <pcl/registration/kss/cloud_conversion.h>
+#include <pcl/registration/kss/hand_off_criteria.h>
+#include <pcl/registration/kss_icp.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace pcl {
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+KSSICP<PointSource, PointTarget, Scalar>::KSSICP()
+{
+  reg_name_ = "KSSICP";
+  this->max_iterations_ = 100;
+  this->euclidean_fitness_epsilon_ = 1e-5;
+  convergence_criteria_.reset(new kss::HandOffCriteria<Scalar>(
+      nr_iterations_, transformation_, *correspondences_));
+  convergence_criteria_->setAbsoluteMSE(0.0);
+  convergence_criteria_->setFailureAfterMaximumIterations(true);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::setInputSource(
+    const PointCloudSourceConstPtr& cloud)
+{
+  source_is_output_ = false;
+  if (cloud && !cloud->empty()) {
+    Base::setInputSource(cloud);
+    return;
+  }
+  input_.reset();
+  giveUp(Matrix4::Identity(), "The source cloud is empty; set one that has points.");
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::setInputTarget(
+    const PointCloudTargetConstPtr& cloud)
+{
+  if (cloud && !cloud->empty()) {
+    Base::setInputTarget(cloud);
+    return;
+  }
+  target_.reset();
+  giveUp(Matrix4::Identity(), "The target cloud is empty; set one that has points.");
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::align(PointCloudSource& output)
+{
+  align(output, Matrix4::Identity());
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::align(PointCloudSource& output,
+                                                const Matrix4& guess)
+{
+  // An output that is the source itself must not change it before it has been read.
+  const PointCloudSourceConstPtr source = input_;
+  const bool in_place = source.get() == &output;
+  if (in_place)
+    input_ = pcl::make_shared<PointCloudSource>(*source);
+
+  const std::string problem = inputProblem();
+  if (problem.empty())
+    Base::align(output, guess);
+  else {
+    giveUp(guess, problem);
+    copyIndexedSource(output);
+    transformCloud(output, output, final_transformation_);
+  }
+  input_ = source;
+  source_is_output_ = in_place;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+std::string
+KSSICP<PointSource, PointTarget, Scalar>::inputProblem() const
+{
+  if (!input_)
+    return "There is no source cloud; call setInputSource with one that has points.";
+  if (!target_)
+    return "There is no target cloud; call setInputTarget with one that has points.";
+  if (indices_ && !this->fake_indices_)
+    for (const index_t index : *indices_)
+      if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
+        return "The index " + std::to_string(index) +
+               " is out of range: the source has " + std::to_string(input_->size()) +
+               " points.";
+  return {};
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::copyIndexedSource(
+    PointCloudSource& output) const
+{
+  output.clear();
+  if (!input_)
+    return;
+  if (!indices_ || this->fake_indices_) {
+    output = *input_;
+    return;
+  }
+  output.header = input_->header;
+  output.is_dense = input_->is_dense;
+  for (const index_t index : *indices_)
+    if (index >= 0 && static_cast<std::size_t>(index) < input_->size())
+      output.push_back((*input_)[index]);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::computeTransformation(
+    PointCloudSource& output, const Matrix4& guess)
+{
+  try {
+    registerClouds(guess);
+  }
+  catch (const std::exception& error) {
+    giveUp(guess, error.what());
+  }
+  // align() has filled the output with the (indexed) source
+  transformCloud(output, output, final_transformation_);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
+{
+  failure_reason_.clear();
+  const bool has_guess = guess != Matrix4::Identity();
+  const Eigen::Matrix4d guessed = guess.template cast<double>();
+  if (has_guess && !kss::isSimilarity(guessed))
+    throw std::invalid_argument(
+        "The guess is not a rotation, translation and positive scale.");
+
+  // clouds
+  const Indices source_indices = kss::finiteIndices(*input_, *indices_);
+  if (source_indices.empty())
+    throw std::invalid_argument("The source cloud has no finite points.");
+  const Indices target_indices = kss::finiteIndices(*target_);
+  if (target_indices.empty())
+    throw std::invalid_argument("The target cloud has no finite points.");
+
+  // simplification, pre-shape, {O}, energies, minima, ICP on each
+  kss::Alignment alignment(settings_);
+  device_name_ = alignment.deviceName();
+  alignment.setClouds(kss::toLocalCloud(*input_, source_indices),
+                      kss::toLocalCloud(*target_, target_indices),
+                      has_guess ? kss::scaleOf(guessed) : 1.0);
+  const kss::Alternatives found = alignment.align();
+
+  // ICP on the clouds themselves
+  const PointCloudSourceConstPtr source = pick(source_indices);
+  std::vector<Contender> contenders;
+  for (const Alternative& alternative : found)
+    contenders.push_back({alternative, {}});
+  if (has_guess)
+    contenders.push_back(handOff(alignment, source, guessed));
+  settle(alignment, source, contenders);
+  accept(contenders.front(), source_indices);
+  for (const Contender& contender : contenders)
+    if (std::none_of(alternatives_.begin(), alternatives_.end(),
+                     [&](const Alternative& listed) {
+                       return alignment.same(listed.transformation,
+                                             contender.pose.transformation);
+                     }))
+      alternatives_.push_back(contender.pose);
+  residual_ = alignment.residual(alternatives_.front().transformation);
+  alignment.clock().lap("hand-off");
+  stage_seconds_ = alignment.clock().stages();
+  judgeResult();
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::settle(kss::Alignment& alignment,
+                                                 const PointCloudSourceConstPtr& source,
+                                                 std::vector<Contender>& contenders)
+{
+  const auto rank = [&] {
+    std::stable_sort(contenders.begin(), contenders.end(),
+                     [](const Contender& a, const Contender& b) {
+                       return a.pose.energy < b.pose.energy;
+                     });
+  };
+  for (rank(); !contenders.front().run; rank())
+    contenders.front() =
+        handOff(alignment, source, contenders.front().pose.transformation);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+typename KSSICP<PointSource, PointTarget, Scalar>::Contender
+KSSICP<PointSource, PointTarget, Scalar>::handOff(
+    kss::Alignment& alignment,
+    const PointCloudSourceConstPtr& source,
+    const Eigen::Matrix4d& pose)
+{
+  if (settings_.progress)
+    settings_.progress("hand-off", 0.0);
+  if (auto* criteria =
+          dynamic_cast<kss::HandOffCriteria<Scalar>*>(convergence_criteria_.get()))
+    criteria->setRoundingError(kss::roundingError(*target_));
+
+  // ICP reads input_, all of it; it gets the finite, indexed points, for so long
+  struct Restore {
+    PointCloudSourceConstPtr& input;
+    PointCloudSourceConstPtr value;
+    ~Restore() { input = value; }
+  } restore{input_, input_};
+  input_ = source;
+  PointCloudSource unused;
+  Base::computeTransformation(unused, pose.cast<Scalar>());
+  if (settings_.progress)
+    settings_.progress("hand-off", 1.0);
+  return {alignment.judge(final_transformation_.template cast<double>()),
+          std::make_shared<HandOff>(HandOff{final_transformation_, transformation_,
+                                            previous_transformation_, nr_iterations_,
+                                            converged_, *correspondences_})};
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+typename KSSICP<PointSource, PointTarget, Scalar>::PointCloudSourceConstPtr
+KSSICP<PointSource, PointTarget, Scalar>::pick(const Indices& indices) const
+{
+  if (indices.size() == input_->size())
+    return input_;
+  const auto picked = pcl::make_shared<PointCloudSource>(*input_, indices);
+  picked->is_dense = true;
+  return picked;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::accept(const Contender& contender,
+                                                 const Indices& source_indices)
+{
+  const HandOff& run = *contender.run;
+  if (run.correspondences.size() < this->min_number_correspondences_)
+    throw std::runtime_error("ICP found too few correspondences; relax the "
+                             "correspondence distance or the rejectors.");
+  final_transformation_ = run.transformation;
+  transformation_ = run.last_increment;
+  previous_transformation_ = run.previous_increment;
+  nr_iterations_ = run.iterations;
+  converged_ = run.converged;
+  *correspondences_ = run.correspondences;
+  for (Correspondence& correspondence : *correspondences_)
+    correspondence.index_query = source_indices[correspondence.index_query];
+  alternatives_.assign(1, contender.pose);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::judgeResult()
+{
+  if (!converged_)
+    failure_reason_ = "ICP still moved after " + std::to_string(nr_iterations_) +
+                      " iterations; allow more of them (setMaximumIterations).";
+  else if (!(residual_ <= maximum_residual_))
+    failure_reason_ = "The clouds do not fit: at the best pose they lie " +
+                      std::to_string(residual_) + " sampling distances apart, and " +
+                      std::to_string(maximum_residual_) +
+                      " are allowed (setMaximumResidual).";
+  converged_ = failure_reason_.empty();
+  if (!converged_)
+    PCL_WARN("[pcl::%s::align] %s\n", getClassName().c_str(), failure_reason_.c_str());
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::giveUp(const Matrix4& guess,
+                                                 const std::string& reason)
+{
+  PCL_ERROR("[pcl::%s::align] %s\n", getClassName().c_str(), reason.c_str());
+  failure_reason_ = reason;
+  converged_ = false;
+  final_transformation_ = kss::isSimilarity(guess.template cast<double>())
+                              ? guess
+                              : Matrix4(Matrix4::Identity());
+  transformation_ = previous_transformation_ = Matrix4::Identity();
+  nr_iterations_ = 0;
+  correspondences_->clear();
+  alternatives_.clear();
+  residual_ = std::numeric_limits<double>::quiet_NaN();
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::transformCloud(const PointCloudSource& input,
+                                                         PointCloudSource& output,
+                                                         const Matrix4& transform)
+{
+  const Eigen::Matrix4d matrix = transform.template cast<double>();
+  const Eigen::Affine3d similarity(matrix);
+  const Eigen::Matrix3d rotation = similarity.linear() / kss::scaleOf(matrix);
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    const Eigen::Vector3f point = input[i].getVector3fMap();
+    if (!point.allFinite())
+      continue;
+    output[i].getVector3fMap() = (similarity * point.cast<double>()).cast<float>();
+    if constexpr (traits::has_normal<PointSource>::value)
+      output[i].getNormalVector3fMap() =
+          (rotation * input[i].getNormalVector3fMap().template cast<double>())
+              .template cast<float>();
+  }
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+double
+KSSICP<PointSource, PointTarget, Scalar>::getFitnessScore(double max_range)
+{
+  double sum = 0.0;
+  std::size_t pairs = 0;
+  if (input_ && target_ && tree_->getInputCloud()) {
+    PointCloudSource aligned;
+    copyIndexedSource(aligned);
+    if (!source_is_output_)
+      transformCloud(aligned, aligned, final_transformation_);
+    Indices index(1);
+    std::vector<float> squared(1);
+    for (const PointSource& point : aligned) {
+      if (!point.getVector3fMap().allFinite() ||
+          tree_->nearestKSearchT(point, 1, index, squared) < 1 ||
+          squared[0] > max_range)
+        continue;
+      sum += squared[0];
+      ++pairs;
+    }
+  }
+  return pairs > 0 ? sum / pairs : std::numeric_limits<double>::max();
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+bool
+KSSICP<PointSource, PointTarget, Scalar>::registerVisualizationCallback(
+    std::function<UpdateVisualizerCallbackSignature>& callback)
+{
+  if (input_ && target_)
+    return Base::registerVisualizationCallback(callback);
+  if (!callback)
+    return false;
+  update_visualizer_ = callback;
+  return true;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+double
+KSSICP<PointSource, PointTarget, Scalar>::getScale() const
+{
+  return kss::scaleOf(final_transformation_.template cast<double>());
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+double
+KSSICP<PointSource, PointTarget, Scalar>::getFinalEnergy() const
+{
+  return alternatives_.empty() ? std::numeric_limits<double>::quiet_NaN()
+                               : alternatives_.front().energy;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+template <typename Value>
+void
+KSSICP<PointSource, PointTarget, Scalar>::set(Value& setting,
+                                              const Value& value,
+                                              bool sensible,
+                                              const char* refusal)
+{
+  if (sensible)
+    setting = value;
+  else
+    PCL_ERROR("[pcl::%s::%s\n", getClassName().c_str(), refusal);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::setNumberOfSamplePoints(unsigned int points)
+{
+  set(settings_.sample_points, points, points >= 20,
+      "setNumberOfSamplePoints] At least 20 points are needed.");
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::setAngleStep(double radians)
+{
+  set(settings_.angle_step, radians, radians >= M_PI / 180.0 && radians <= M_PI,
+      "setAngleStep] The step must lie between one degree and pi.");
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::setNumberOfEvenRotations(
+    unsigned int rotations)
+{
+  set(settings_.even_rotations, rotations, rotations >= 1,
+      "setNumberOfEvenRotations] At least one rotation is needed.");
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::setLocalMinimumKernel(unsigned int edge)
+{
+  set(settings_.local_minimum_kernel, edge, edge >= 3 && edge % 2 == 1,
+      "setLocalMinimumKernel] The edge must be odd and at least 3.");
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::setAdditionalProcessThreshold(
+    double threshold)
+{
+  set(settings_.additional_process_threshold, threshold, threshold >= 0.0,
+      "setAdditionalProcessThreshold] The threshold must not be negative.");
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::setMaximumResidual(double multiple)
+{
+  set(maximum_residual_, multiple, multiple > 0.0,
+      "setMaximumResidual] The multiple must be positive.");
+}
+
+} // namespace pcl

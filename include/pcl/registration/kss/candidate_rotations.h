@@ -1,0 +1,73 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include <pcl/registration/kss/settings.h>
+
+#include <Eigen/Geometry>
+
+#include <memory>
+#include <vector>
+
+namespace pcl {
+namespace kss {
+
+/** \brief The candidate rotations {O}, and which of them are neighbours. */
+class CandidateRotations {
+public:
+  using Rotations = std::vector<Eigen::Quaterniond>;
+
+  virtual ~CandidateRotations() = default;
+
+  /** \brief All rotations of the set. */
+  const Rotations& rotations() const { return rotations_; }
+
+  /** \brief The other rotations within the kernel of (e12) around one of them.
+   * \param[in] index a rotation of the set
+   * \param[in] kernel the edge of the kernel in steps; odd
+   */
+  virtual std::vector<std::size_t> neighbours(std::size_t index,
+                                              unsigned int kernel) const = 0;
+
+protected:
+  Rotations rotations_;
+};
+
+/** \brief All triples of multiples of an angle, about x, then y, then z: (e10).
+ *
+ * [0, 2 pi / theta] names one angle at both ends, so that there are 2 pi / theta values
+ * (12 by default) for each axis, 1728 in all. Angles wrap round, and so does the
+ * kernel.
+ */
+class EulerRotations : public CandidateRotations {
+public:
+  /** \param[in] angle_step theta, in radians; rounded so that steps fill the circle */
+  explicit EulerRotations(double angle_step);
+
+  std::vector<std::size_t> neighbours(std::size_t index,
+                                      unsigned int kernel) const override;
+
+private:
+  int steps_;
+};
+
+/** \brief Any number of rotations, evenly spread over SO(3): a super-Fibonacci spiral
+ * (M. Alexa, "Super-Fibonacci Spirals: Fast, Low-Discrepancy Sampling of SO(3)", CVPR
+ * 2022). Neighbours lie within a ball as wide as the kernel.
+ */
+class EvenRotations : public CandidateRotations {
+public:
+  /** \param[in] number how many rotations; at least 1 */
+  explicit EvenRotations(unsigned int number);
+
+  std::vector<std::size_t> neighbours(std::size_t index,
+                                      unsigned int kernel) const override;
+};
+
+/** \brief The set that the settings ask for. */
+std::unique_ptr<CandidateRotations> candidateRotations(const Settings& settings);
+
+} // namespace kss
+} // namespace pcl

@@ -1,0 +1,24 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace kss {
+
+/** \brief No such OpenCL device, or one that does not work. */
+class DeviceError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/** \brief The names of all OpenCL devices of this machine, "device (platform)". */
+std::vector<std::string> openCLDeviceNames();
+
+} // namespace kss
+} // namespace pcl

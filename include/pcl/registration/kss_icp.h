@@ -1,0 +1,387 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include <pcl/point_types.h>
+#include <pcl/registration/icp.h>
+#include <pcl/registration/kss/alignment.h>
+#include <pcl/registration/kss/settings.h>
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pcl {
+
+/** \brief @b KSSICP registers two point clouds whatever their positions, scales,
+ * rotations and densities: a drop-in for IterativeClosestPoint that needs no initial
+ * guess.
+ *
+ * Both clouds are simplified to k uniform points and brought to Kendall's pre-shape
+ * space; the Hausdorff distances of all candidate rotations are computed on an OpenCL
+ * device; the distinct local minima are refined; and IterativeClosestPoint, governed by
+ * the settings inherited from it, finishes on the clouds themselves. The method is
+ * Algorithm 1 of C. Lv, W. Lin, B. Zhao, "KSS-ICP: Point Cloud Registration based on
+ * Kendall Shape Space", IEEE Transactions on Image Processing, 2023.
+ *
+ * \code
+ * pcl::KSSICP<pcl::PointXYZ, pcl::PointXYZ> registration;
+ * registration.setInputSource (source);
+ * registration.setInputTarget (target);
+ * pcl::PointCloud<pcl::PointXYZ> aligned;
+ * registration.align (aligned);
+ * if (registration.hasConverged ())
+ *   std::cout << registration.getFinalTransformation () << '\n';
+ * \endcode
+ *
+ * <b>The transformation is a similarity</b>: final rotation and translation, and the
+ * scale unless setScaleEstimation(false) says that it is known. Code that expects a
+ * rigid transformation (registration::ELCH, registration::IncrementalRegistration)
+ * wants setScaleEstimation(false).
+ *
+ * <b>Inherited settings</b> govern the final IterativeClosestPoint and keep their
+ * meaning, with these defaults of KSSICP's own: at most 100 iterations
+ * (setMaximumIterations); a relative change of the mean squared error below 1e-5
+ * (setEuclideanFitnessEpsilon) or an unchanged transformation (setTransformationEpsilon
+ * 0) ends it: both are free of units; no limit on correspondence distance; a run that
+ * still moves at the iteration limit has not converged
+ * (getConvergeCriteria()->setFailureAfterMaximumIterations(false) restores ICP's
+ * reading). setRANSACIterations() and setRANSACOutlierRejectionThreshold() have no
+ * effect, as in IterativeClosestPoint. setTransformationEstimation() may change the
+ * scale of the result; the default one is rigid and keeps the scale that the search
+ * found.
+ *
+ * <b>What is mended against IterativeClosestPoint of PCL 1.13</b>: indices are
+ * respected; normals take the pure rotation; points that are not finite are skipped and
+ * stay as they are in the output; after a failure the output is the source transformed
+ * by the guess; an empty cloud replaces the one set before, and align() then reports
+ * the failure; nothing is thrown out of align(). align(), getFitnessScore() and
+ * registerVisualizationCallback() are not virtual in PCL: calls through a pointer to a
+ * base class reach PCL's own, which get the same transformation, but do not skip points
+ * that are not finite in the fitness, do not check indices, and need both clouds before
+ * a callback.
+ *
+ * \tparam PointSource any point type with x, y and z
+ * \tparam PointTarget any point type with x, y and z
+ * \tparam Scalar float or double: the type of the transformation
+ * \ingroup registration
+ */
+template <typename PointSource, typename PointTarget, typename Scalar = float>
+class KSSICP : public IterativeClosestPoint<PointSource, PointTarget, Scalar> {
+  using Base = IterativeClosestPoint<PointSource, PointTarget, Scalar>;
+
+public:
+  using Ptr = shared_ptr<KSSICP<PointSource, PointTarget, Scalar>>;
+  using ConstPtr = shared_ptr<const KSSICP<PointSource, PointTarget, Scalar>>;
+
+  using typename Base::Matrix4;
+  using typename Base::PointCloudSource;
+  using typename Base::PointCloudSourceConstPtr;
+  using typename Base::PointCloudSourcePtr;
+  using typename Base::PointCloudTarget;
+  using typename Base::PointCloudTargetConstPtr;
+  using typename Base::PointCloudTargetPtr;
+  using typename Base::UpdateVisualizerCallbackSignature;
+
+  /** \brief One of the poses that compete: the result, or one that came close. */
+  using Alternative = kss::Alternative;
+
+  /** \brief Empty constructor. */
+  KSSICP();
+
+  /** \brief Empty destructor. */
+  ~KSSICP() override = default;
+
+  /** \brief Set the cloud to be aligned. A null or empty cloud leaves no source:
+   * align() then reports it.
+   */
+  void setInputSource(const PointCloudSourceConstPtr& cloud) override;
+
+  /** \brief Set the cloud that the source is aligned to. A null or empty cloud leaves
+   * no target: align() then reports it.
+   */
+  void setInputTarget(const PointCloudTargetConstPtr& cloud) override;
+
+  /** \brief Register the two clouds, without a guess.
+   * \param[out] output the source (its indexed points) transformed by
+   * getFinalTransformation(); may be the source itself
+   */
+  void align(PointCloudSource& output);
+
+  /** \brief Register the two clouds; the pose that ICP reaches from \a guess competes
+   * with those that the search finds.
+   * \param[out] output the source (its indexed points) transformed by
+   * getFinalTransformation(); may be the source itself
+   * \param[in] guess a similarity that maps the source near the target; identity means
+   * that there is no guess
+   */
+  void align(PointCloudSource& output, const Matrix4& guess);
+
+  /** \brief Mean squared distance from the (indexed, finite) aligned source points to
+   * their nearest neighbours in the target.
+   * \param[in] max_range pairs whose \e squared distance exceeds it are left out, as in
+   * PCL
+   * \return the score, or the largest double where no pair is left
+   */
+  double getFitnessScore(double max_range = std::numeric_limits<double>::max());
+  using Base::getFitnessScore;
+
+  /** \brief Register a function that is called with every iteration of the final ICP.
+   * \return whether the function can be called
+   */
+  bool registerVisualizationCallback(
+      std::function<UpdateVisualizerCallbackSignature>& callback);
+
+  /** \brief Set the number of points k that both clouds are simplified to (default
+   * 2000). It shrinks by itself for clouds too small to be evened out at k points.
+   * \param[in] points at least 20
+   */
+  void setNumberOfSamplePoints(unsigned int points);
+
+  /** \brief Get the number of points that both clouds are simplified to. */
+  unsigned int getNumberOfSamplePoints() const { return settings_.sample_points; }
+
+  /** \brief Set how the simplification spreads its points (default: by area). */
+  void setDensity(kss::Density density) { settings_.density = density; }
+
+  /** \brief Get how the simplification spreads its points. */
+  kss::Density getDensity() const { return settings_.density; }
+
+  /** \brief Set which rotations are tried (default: the paper's Euler grid). */
+  void setRotationSet(kss::RotationSet set) { settings_.rotation_set = set; }
+
+  /** \brief Get which rotations are tried. */
+  kss::RotationSet getRotationSet() const { return settings_.rotation_set; }
+
+  /** \brief Set the step theta of the Euler grid (default pi/6: 1728 rotations).
+   * \param[in] radians in (0, pi]; rounded so that steps fill the circle, and small
+   * steps cost: the number of rotations is (2 pi / theta) cubed
+   */
+  void setAngleStep(double radians);
+
+  /** \brief Get the step of the Euler grid in radians. */
+  double getAngleStep() const { return settings_.angle_step; }
+
+  /** \brief Set the number of rotations in the even set (default 1728).
+   * \param[in] rotations at least 1
+   */
+  void setNumberOfEvenRotations(unsigned int rotations);
+
+  /** \brief Get the number of rotations in the even set. */
+  unsigned int getNumberOfEvenRotations() const { return settings_.even_rotations; }
+
+  /** \brief Set the edge of the kernel in which a local minimum is the smallest
+   * (default 5, for 5x5x5). In the even set the kernel is a ball on SO(3) of as many
+   * steps across. \param[in] edge odd, at least 3
+   */
+  void setLocalMinimumKernel(unsigned int edge);
+
+  /** \brief Get the edge of the local minimum kernel. */
+  unsigned int getLocalMinimumKernel() const { return settings_.local_minimum_kernel; }
+
+  /** \brief Set Q_the: with a final energy above it, the other local minima are refined
+   * too (default 0.001).
+   * \param[in] threshold a Hausdorff distance as a fraction of the target's root mean
+   * square radius; at least 0. The sampling alone exceeds the default, so that the
+   * additional process practically always runs.
+   */
+  void setAdditionalProcessThreshold(double threshold);
+
+  /** \brief Get Q_the. */
+  double getAdditionalProcessThreshold() const
+  {
+    return settings_.additional_process_threshold;
+  }
+
+  /** \brief Set whether the relative scale is estimated (default: true). Otherwise the
+   * result has exactly the guess's scale, or 1 without a guess.
+   */
+  void setScaleEstimation(bool estimate) { settings_.estimate_scale = estimate; }
+
+  /** \brief Get whether the relative scale is estimated. */
+  bool getScaleEstimation() const { return settings_.estimate_scale; }
+
+  /** \brief Set where the search runs (default "auto").
+   * \param[in] device "auto" for the first OpenCL device, GPUs first, or the host, with
+   * a warning, where there is none; "host" for no OpenCL; otherwise the OpenCL device
+   * whose name contains \a device, and align() fails where there is none.
+   */
+  void setDevice(const std::string& device) { settings_.device = device; }
+
+  /** \brief Get where the search was asked to run. */
+  const std::string& getDevice() const { return settings_.device; }
+
+  /** \brief Set the number of threads on the host and on OpenCL CPU devices.
+   * \param[in] threads 0 (default) means as many as there are cores. The result does
+   * not depend on it.
+   */
+  void setNumberOfThreads(unsigned int threads) { settings_.threads = threads; }
+
+  /** \brief Get the number of threads; 0: as many as there are cores. */
+  unsigned int getNumberOfThreads() const { return settings_.threads; }
+
+  /** \brief Set how far the aligned clouds may lie apart for hasConverged(): the mean
+   * distance between them, both ways, as a multiple of the sampling distance (default
+   * 1). Two samplings of one surface come out near 0.6 whatever the shape.
+   * \param[in] multiple positive
+   */
+  void setMaximumResidual(double multiple);
+
+  /** \brief Get how far the aligned clouds may lie apart for hasConverged(). */
+  double getMaximumResidual() const { return maximum_residual_; }
+
+  /** \brief Set a function that is told how far align() has come; may be empty. */
+  void setProgressCallback(const kss::ProgressCallback& callback)
+  {
+    settings_.progress = callback;
+  }
+
+  /** \brief Get the scale of the final transformation. */
+  double getScale() const;
+
+  /** \brief Get the energy (e9) of the final transformation: the Hausdorff distance of
+   * the simplified clouds as a fraction of the target's root mean square radius. NaN
+   * before the first align() and after a failure.
+   */
+  double getFinalEnergy() const;
+
+  /** \brief Get the residual of the final transformation: the mean distance between the
+   * aligned clouds, both ways, as a multiple of the sampling distance; NaN as above.
+   */
+  double getResidual() const { return residual_; }
+
+  /** \brief Get the distinct poses that the search found, by rising energy; the first
+   * one is the final transformation.
+   */
+  const kss::Alternatives& getAlternatives() const { return alternatives_; }
+
+  /** \brief Get the seconds of wall time that the stages of the last align() took, in
+   * the order in which they ran.
+   */
+  const std::vector<kss::StageSeconds>& getStageSeconds() const
+  {
+    return stage_seconds_;
+  }
+
+  /** \brief Get the name of the device that the last align() searched on. */
+  const std::string& getDeviceName() const { return device_name_; }
+
+  /** \brief Get one sentence on why the last align() did not converge; empty if it did.
+   */
+  const std::string& getFailureReason() const { return failure_reason_; }
+
+protected:
+  using Base::converged_;
+  using Base::convergence_criteria_;
+  using Base::correspondences_;
+  using Base::final_transformation_;
+  using Base::getClassName;
+  using Base::indices_;
+  using Base::input_;
+  using Base::nr_iterations_;
+  using Base::previous_transformation_;
+  using Base::reg_name_;
+  using Base::target_;
+  using Base::transformation_;
+  using Base::tree_;
+  using Base::update_visualizer_;
+
+  /** \brief Apply a similarity; normals take the pure rotation, points that are not
+   * finite stay.
+   */
+  void transformCloud(const PointCloudSource& input,
+                      PointCloudSource& output,
+                      const Matrix4& transform) override;
+
+  /** \brief Algorithm 1 of the paper.
+   * \param[out] output the transformed source
+   * \param[in] guess a similarity; identity: none
+   */
+  void computeTransformation(PointCloudSource& output, const Matrix4& guess) override;
+
+private:
+  /** \brief Where one run of ICP on the clouds ended. */
+  struct HandOff {
+    Matrix4 transformation, last_increment, previous_increment;
+    int iterations;
+    bool converged;
+    Correspondences correspondences;
+
+    PCL_MAKE_ALIGNED_OPERATOR_NEW
+  };
+
+  /** \brief A pose that competes to be the result; one that the search found has no run
+   * of ICP on the clouds yet.
+   */
+  struct Contender {
+    Alternative pose;
+    std::shared_ptr<HandOff> run;
+  };
+
+  /** \brief Take a value, or say why it is refused and keep the old one. */
+  template <typename Value>
+  void set(Value& setting, const Value& value, bool sensible, const char* refusal);
+
+  /** \brief What keeps align() from starting; empty if nothing does. */
+  std::string inputProblem() const;
+
+  /** \brief The indexed source points as they are. */
+  void copyIndexedSource(PointCloudSource& output) const;
+
+  /** \brief Algorithm 1; throws where no pose can be found. */
+  void registerClouds(const Matrix4& guess);
+
+  /** \brief Those points of the source. */
+  PointCloudSourceConstPtr pick(const Indices& indices) const;
+
+  /** \brief IterativeClosestPoint on the clouds themselves: T of (e11). */
+  Contender handOff(kss::Alignment& alignment,
+                    const PointCloudSourceConstPtr& source,
+                    const Eigen::Matrix4d& pose);
+
+  /** \brief Sort by energy, and hand off the first, until it has been handed off. */
+  void settle(kss::Alignment& alignment,
+              const PointCloudSourceConstPtr& source,
+              std::vector<Contender>& contenders);
+
+  /** \brief Take a contender as the result. */
+  void accept(const Contender& contender, const Indices& source_indices);
+
+  /** \brief Decide whether the result has converged, and if not, say why. */
+  void judgeResult();
+
+  /** \brief Say why there is no result, and leave the guess as the transformation. */
+  void giveUp(const Matrix4& guess, const std::string& reason);
+
+  kss::Settings settings_;
+  double maximum_residual_ = 1.0;
+  bool source_is_output_ = false;
+
+  kss::Alternatives alternatives_;
+  double residual_ = std::numeric_limits<double>::quiet_NaN();
+  std::vector<kss::StageSeconds> stage_seconds_;
+  std::string device_name_;
+  std::string failure_reason_;
+};
+
+} // namespace pcl
+
+#include <pcl/registration/impl/kss_icp.hpp>
+
+#ifndef PCL_NO_PRECOMPILE
+#define PCL_KSS_ICP_COMPILED(PointT)                                                     \
+  extern template class pcl::KSSICP<PointT, PointT, float>;                              \
+  extern template class pcl::KSSICP<PointT, PointT, double>;
+PCL_KSS_ICP_COMPILED(pcl::PointXYZ)
+PCL_KSS_ICP_COMPILED(pcl::PointXYZI)
+PCL_KSS_ICP_COMPILED(pcl::PointXYZRGB)
+PCL_KSS_ICP_COMPILED(pcl::PointXYZRGBA)
+PCL_KSS_ICP_COMPILED(pcl::PointNormal)
+PCL_KSS_ICP_COMPILED(pcl::PointXYZINormal)
+PCL_KSS_ICP_COMPILED(pcl::PointXYZRGBNormal)
+#undef PCL_KSS_ICP_COMPILED
+#endif

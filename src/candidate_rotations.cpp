@@ -1,0 +1,87 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include <pcl/registration/kss/candidate_rotations.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace kss {
+
+EulerRotations::EulerRotations(double angle_step)
+: steps_(std::max(1, static_cast<int>(std::lround(2.0 * M_PI / angle_step))))
+{
+  const auto turn = [this](int step, const Eigen::Vector3d& axis) {
+    return Eigen::AngleAxisd(2.0 * M_PI * step / steps_, axis);
+  };
+  rotations_.reserve(steps_ * steps_ * steps_);
+  for (int x = 0; x < steps_; ++x)
+    for (int y = 0; y < steps_; ++y)
+      for (int z = 0; z < steps_; ++z)
+        rotations_.emplace_back(turn(z, Eigen::Vector3d::UnitZ()) *
+                                turn(y, Eigen::Vector3d::UnitY()) *
+                                turn(x, Eigen::Vector3d::UnitX()));
+}
+
+std::vector<std::size_t>
+EulerRotations::neighbours(std::size_t index, unsigned int kernel) const
+{
+  const int x = index / (steps_ * steps_);
+  const int y = index / steps_ % steps_;
+  const int z = index % steps_;
+  // a kernel wider than the circle would meet itself
+  const int width = std::min<int>(kernel, steps_);
+  const auto around = [this](int step) { return (step + steps_) % steps_; };
+  std::vector<std::size_t> found;
+  for (int dx = -(width / 2); dx < width - width / 2; ++dx)
+    for (int dy = -(width / 2); dy < width - width / 2; ++dy)
+      for (int dz = -(width / 2); dz < width - width / 2; ++dz)
+        if (dx != 0 || dy != 0 || dz != 0)
+          found.push_back((around(x + dx) * steps_ + around(y + dy)) * steps_ +
+                          around(z + dz));
+  return found;
+}
+
+EvenRotations::EvenRotations(unsigned int number)
+{
+  // Alexa (2022): phi is the root of 2, psi the positive root of psi^4 = psi + 4.
+  const double phi = std::sqrt(2.0);
+  const double psi = 1.533751168755204288118041413;
+  rotations_.reserve(number);
+  for (unsigned int i = 0; i < number; ++i) {
+    const double s = i + 0.5;
+    const double alpha = 2.0 * M_PI * s / phi;
+    const double beta = 2.0 * M_PI * s / psi;
+    const double inner = std::sqrt(s / number);
+    const double outer = std::sqrt(1.0 - s / number);
+    rotations_.emplace_back(outer * std::cos(beta), inner * std::sin(alpha),
+                            inner * std::cos(alpha), outer * std::sin(beta));
+  }
+}
+
+std::vector<std::size_t>
+EvenRotations::neighbours(std::size_t index, unsigned int kernel) const
+{
+  // SO(3) has the volume 8 pi^2 in radians cubed: a step is the edge of a cube of it.
+  const double step = std::cbrt(8.0 * M_PI * M_PI / rotations_.size());
+  const double radius = std::min(M_PI, kernel / 2 * step);
+  const double smallest_cosine = std::cos(0.5 * radius);
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < rotations_.size(); ++i)
+    if (i != index && std::abs(rotations_[i].dot(rotations_[index])) >= smallest_cosine)
+      found.push_back(i);
+  return found;
+}
+
+std::unique_ptr<CandidateRotations>
+candidateRotations(const Settings& settings)
+{
+  if (settings.rotation_set == RotationSet::EVEN)
+    return std::make_unique<EvenRotations>(settings.even_rotations);
+  return std::make_unique<EulerRotations>(settings.angle_step);
+}
+
+} // namespace kss
+} // namespace pcl

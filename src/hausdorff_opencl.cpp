@@ -1,0 +1,92 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include <pcl/registration/kss/hausdorff.h>
+
+#include "opencl_program.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace kss {
+namespace {
+
+constexpr Eigen::Index lanes = 16;   // of a tile of target points
+constexpr Eigen::Index together = 4; // source points held against a tile at once
+
+class OpenCLEvaluator : public HausdorffEvaluator {
+public:
+  OpenCLEvaluator(const std::string& device, unsigned int threads)
+  : program_(openCLProgram(device, threads))
+  {
+  }
+
+  void setClouds(const Points& source, const Points& target) override
+  {
+    target_points_ = target.cols();
+    tiles_ = (target_points_ + lanes - 1) / lanes;
+    for (int axis = 0; axis < 3; ++axis) {
+      // filled up to whole tiles with copies of the last point
+      Eigen::VectorXf tiled =
+          Eigen::VectorXf::Constant(tiles_ * lanes, target(axis, target_points_ - 1));
+      tiled.head(target_points_) = target.row(axis);
+      target_[axis] = program_->upload(tiled.data(), tiled.size());
+    }
+    source_points_ = source.cols();
+    const Eigen::Index filled = (source_points_ + together - 1) / together * together;
+    Eigen::Matrix4Xf homogeneous =
+        source.col(source_points_ - 1).homogeneous().replicate(1, filled);
+    homogeneous.leftCols(source_points_) = source.colwise().homogeneous();
+    source_ = program_->upload(homogeneous.data(), homogeneous.size());
+  }
+
+  std::vector<HausdorffDistances>
+  evaluate(const std::vector<Placement>& placements) override
+  {
+    // The scratch memory sets how many candidates fit into one dispatch: the paper's
+    // 1728 take 14 MB.
+    const std::size_t scratch = tiles_ * lanes * sizeof(float);
+    const std::size_t batch = std::max<std::size_t>(
+        1, std::min<std::size_t>(program_->largestBuffer() / scratch, 8192));
+    std::vector<HausdorffDistances> distances(placements.size());
+    for (std::size_t begin = 0; begin < placements.size(); begin += batch)
+      evaluate(placements.data() + begin, std::min(batch, placements.size() - begin),
+               distances.data() + begin);
+    return distances;
+  }
+
+  std::string deviceName() const override { return program_->deviceName(); }
+
+private:
+  void
+  evaluate(const Placement* placements, std::size_t size, HausdorffDistances* distances)
+  {
+    const cl::Buffer candidates =
+        program_->upload(placements->data(), size * Placement::SizeAtCompileTime);
+    const cl::Buffer nearest = program_->allocate(size * tiles_ * lanes);
+    const cl::Buffer result = program_->allocate(4 * size);
+    program_->run("hausdorff", size, target_[0], target_[1], target_[2],
+                  static_cast<cl_uint>(target_points_), source_,
+                  static_cast<cl_uint>(source_points_), candidates,
+                  static_cast<cl_uint>(size), nearest, result);
+    static_assert(sizeof(HausdorffDistances) == 4 * sizeof(float),
+                  "the kernel's float4");
+    program_->download(result, &distances->source_to_target, 4 * size);
+  }
+
+  std::shared_ptr<OpenCLProgram> program_;
+  cl::Buffer target_[3], source_;
+  Eigen::Index target_points_ = 0, source_points_ = 0, tiles_ = 0;
+};
+
+} // namespace
+
+std::unique_ptr<HausdorffEvaluator>
+makeOpenCLEvaluator(const std::string& device, unsigned int threads)
+{
+  return std::make_unique<OpenCLEvaluator>(device, threads);
+}
+
+} // namespace kss
+} // namespace pcl
