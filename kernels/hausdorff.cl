@@ -4,38 +4,35 @@
  * Hausdorff distances, both ways, between the target and the source placed by each
  * candidate: E_d of (e9). One work-item per candidate, no local memory, no barrier.
  *
- * The target lies in tiles of sixteen points, x, y and z apart, so that a CPU fills its
- * vectors with target points; on a GPU the sixteen lanes are independent instructions.
+ * The target lies in tiles of eight points, x, y and z apart, so that a CPU fills its
+ * vectors with target points; on a GPU the eight lanes are independent instructions.
  * Four placed source points are held against each tile while it is in registers. Both
  * directions come from one pass: `column` gathers the minima of the four source points,
  * and nearest[] those of the target points.
  */
 
 inline float
-smallest(float16 v)
+smallest(float8 v)
 {
-  const float8 a = min(v.lo, v.hi);
-  const float4 b = min(a.lo, a.hi);
-  const float2 c = min(b.lo, b.hi);
-  return min(c.x, c.y);
+  const float4 a = min(v.lo, v.hi);
+  const float2 b = min(a.lo, a.hi);
+  return min(b.x, b.y);
 }
 
 inline float
-largest(float16 v)
+largest(float8 v)
 {
-  const float8 a = max(v.lo, v.hi);
-  const float4 b = max(a.lo, a.hi);
-  const float2 c = max(b.lo, b.hi);
-  return max(c.x, c.y);
+  const float4 a = max(v.lo, v.hi);
+  const float2 b = max(a.lo, a.hi);
+  return max(b.x, b.y);
 }
 
 inline float
-sum(float16 v)
+sum(float8 v)
 {
-  const float8 a = v.lo + v.hi;
-  const float4 b = a.lo + a.hi;
-  const float2 c = b.lo + b.hi;
-  return c.x + c.y;
+  const float4 a = v.lo + v.hi;
+  const float2 b = a.lo + a.hi;
+  return b.x + b.y;
 }
 
 inline float4
@@ -44,12 +41,12 @@ place(float4 row_x, float4 row_y, float4 row_z, float4 p)
   return (float4)(dot(row_x, p), dot(row_y, p), dot(row_z, p), 1.0f);
 }
 
-inline float16
-squared_distance(float16 x, float16 y, float16 z, float4 p)
+inline float8
+squared_distance(float8 x, float8 y, float8 z, float4 p)
 {
-  const float16 dx = x - p.x;
-  const float16 dy = y - p.y;
-  const float16 dz = z - p.z;
+  const float8 dx = x - p.x;
+  const float8 dy = y - p.y;
+  const float8 dz = z - p.z;
   return dx * dx + dy * dy + dz * dz;
 }
 
@@ -60,15 +57,15 @@ squared_distance(float16 x, float16 y, float16 z, float4 p)
  * distances: per candidate max and mean source to target, max and mean target to source
  */
 kernel void
-hausdorff(global const float16* restrict target_x,
-          global const float16* restrict target_y,
-          global const float16* restrict target_z,
+hausdorff(global const float8* restrict target_x,
+          global const float8* restrict target_y,
+          global const float8* restrict target_z,
           const uint target_points,
           global const float4* restrict source,
           const uint source_points,
           global const float4* restrict candidates,
           const uint number_of_candidates,
-          global float16* restrict nearest,
+          global float8* restrict nearest,
           global float4* restrict distances)
 {
   const uint candidate = get_global_id(0);
@@ -77,10 +74,10 @@ hausdorff(global const float16* restrict target_x,
   const float4 row_x = candidates[3 * candidate];
   const float4 row_y = candidates[3 * candidate + 1];
   const float4 row_z = candidates[3 * candidate + 2];
-  const uint tiles = (target_points + 15) / 16;
-  global float16* restrict row = nearest + (size_t)candidate * tiles;
+  const uint tiles = (target_points + 7) / 8;
+  global float8* restrict row = nearest + (size_t)candidate * tiles;
   for (uint t = 0; t < tiles; ++t)
-    row[t] = (float16)(MAXFLOAT);
+    row[t] = (float8)(MAXFLOAT);
 
   float farthest_source = 0.0f;
   float sum_source = 0.0f;
@@ -89,18 +86,18 @@ hausdorff(global const float16* restrict target_x,
     const float4 b = place(row_x, row_y, row_z, source[i + 1]);
     const float4 c = place(row_x, row_y, row_z, source[i + 2]);
     const float4 d = place(row_x, row_y, row_z, source[i + 3]);
-    float16 column_a = (float16)(MAXFLOAT);
-    float16 column_b = column_a;
-    float16 column_c = column_a;
-    float16 column_d = column_a;
+    float8 column_a = (float8)(MAXFLOAT);
+    float8 column_b = column_a;
+    float8 column_c = column_a;
+    float8 column_d = column_a;
     for (uint t = 0; t < tiles; ++t) {
-      const float16 x = target_x[t];
-      const float16 y = target_y[t];
-      const float16 z = target_z[t];
-      const float16 to_a = squared_distance(x, y, z, a);
-      const float16 to_b = squared_distance(x, y, z, b);
-      const float16 to_c = squared_distance(x, y, z, c);
-      const float16 to_d = squared_distance(x, y, z, d);
+      const float8 x = target_x[t];
+      const float8 y = target_y[t];
+      const float8 z = target_z[t];
+      const float8 to_a = squared_distance(x, y, z, a);
+      const float8 to_b = squared_distance(x, y, z, b);
+      const float8 to_c = squared_distance(x, y, z, c);
+      const float8 to_d = squared_distance(x, y, z, d);
       column_a = min(column_a, to_a);
       column_b = min(column_b, to_b);
       column_c = min(column_c, to_c);
@@ -118,14 +115,14 @@ hausdorff(global const float16* restrict target_x,
     sum_source += (length.x + length.y) + (length.z + length.w);
   }
 
-  const uint16 lane = (uint16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-  float16 farthest = (float16)(0.0f);
-  float16 sums = (float16)(0.0f);
+  const uint8 lane = (uint8)(0, 1, 2, 3, 4, 5, 6, 7);
+  float8 farthest = (float8)(0.0f);
+  float8 sums = (float8)(0.0f);
   for (uint t = 0; t < tiles; ++t) {
-    const float16 squared = row[t];
+    const float8 squared = row[t];
     farthest = max(farthest, squared);
-    sums += sqrt(select((float16)(0.0f), squared,
-                        lane + 16 * t < (uint16)(target_points)));
+    sums += sqrt(select((float8)(0.0f), squared,
+                        lane + 8 * t < (uint8)(target_points)));
   }
   distances[candidate] = (float4)(sqrt(farthest_source), sum_source / source_points,
                                   sqrt(largest(farthest)), sum(sums) / target_points);

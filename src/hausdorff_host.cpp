@@ -55,7 +55,8 @@ public:
   {
   }
 
-  void setClouds(const Points& source, const Points& target) override
+  void
+  setClouds(const Points& source, const Points& target) override
   {
     source_ = source;
     target_points_ = target.cols();
@@ -78,13 +79,15 @@ public:
     return distances;
   }
 
-  std::string deviceName() const override
+  std::string
+  deviceName() const override
   {
     return "host";
   }
 
 private:
-  HausdorffDistances distancesAt(const Placement& placement) const
+  HausdorffDistances
+  distancesAt(const Placement& placement) const
   {
     std::vector<float> nearest(target_.rows(), std::numeric_limits<float>::max());
     float farthest_source = 0.0f;

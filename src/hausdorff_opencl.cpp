@@ -12,7 +12,7 @@ namespace pcl {
 namespace kss {
 namespace {
 
-constexpr Eigen::Index lanes = 16;   // of a tile of target points
+constexpr Eigen::Index lanes = 8;    // of a tile of target points
 constexpr Eigen::Index together = 4; // source points held against a tile at once
 
 class OpenCLEvaluator : public HausdorffEvaluator {
@@ -22,7 +22,8 @@ public:
   {
   }
 
-  void setClouds(const Points& source, const Points& target) override
+  void
+  setClouds(const Points& source, const Points& target) override
   {
     target_points_ = target.cols();
     tiles_ = (target_points_ + lanes - 1) / lanes;
@@ -56,7 +57,11 @@ public:
     return distances;
   }
 
-  std::string deviceName() const override { return program_->deviceName(); }
+  std::string
+  deviceName() const override
+  {
+    return program_->deviceName();
+  }
 
 private:
   void

@@ -26,13 +26,16 @@ public:
   OpenCLProgram(const cl::Device& device, const std::string& name);
 
   /** \brief A buffer on the device with a copy of \a floats. */
-  cl::Buffer upload(const float* floats, std::size_t size);
+  cl::Buffer
+  upload(const float* floats, std::size_t size);
 
   /** \brief A buffer for so many floats. */
-  cl::Buffer allocate(std::size_t floats);
+  cl::Buffer
+  allocate(std::size_t floats);
 
   /** \brief Copy the first floats of a buffer to the host. */
-  void download(const cl::Buffer& buffer, float* floats, std::size_t size);
+  void
+  download(const cl::Buffer& buffer, float* floats, std::size_t size);
 
   /** \brief Run a kernel and wait for it.
    * \param[in] kernel its name
@@ -40,7 +43,8 @@ public:
    * \param[in] arguments of the kernel, in order
    */
   template <typename... Arguments>
-  void run(const char* kernel, std::size_t work_items, const Arguments&... arguments)
+  void
+  run(const char* kernel, std::size_t work_items, const Arguments&... arguments)
   {
     checked([&] {
       cl::Kernel entry(program_, kernel);
@@ -54,16 +58,23 @@ public:
   }
 
   /** \brief Bytes of the largest buffer that the device takes. */
-  std::size_t largestBuffer() const;
+  std::size_t
+  largestBuffer() const;
 
   /** \brief The device's name. */
-  const std::string& deviceName() const { return name_; }
+  const std::string&
+  deviceName() const
+  {
+    return name_;
+  }
 
 private:
   template <typename Work>
-  void checked(const Work& work) const;
+  void
+  checked(const Work& work) const;
 
-  [[noreturn]] void fail(const cl::Error& error) const;
+  [[noreturn]] void
+  fail(const cl::Error& error) const;
 
   std::string name_;
   cl::Device device_;
@@ -90,8 +101,8 @@ OpenCLProgram::checked(const Work& work) const
  * \param[in] threads compute units to use of a CPU device; 0: all
  * \throws DeviceError
  */
-std::shared_ptr<OpenCLProgram> openCLProgram(const std::string& device,
-                                             unsigned int threads);
+std::shared_ptr<OpenCLProgram>
+openCLProgram(const std::string& device, unsigned int threads);
 
 } // namespace kss
 } // namespace pcl

@@ -35,7 +35,8 @@ treeOf(const Points& points)
 /** The sums over correspondences that a similarity follows from. */
 class Procrustes {
 public:
-  void add(const Eigen::Vector3d& source, const Eigen::Vector3d& target)
+  void
+  add(const Eigen::Vector3d& source, const Eigen::Vector3d& target)
   {
     ++n_;
     source_ += source;
@@ -46,7 +47,8 @@ public:
   }
 
   /** As much larger as the target points are spread wider: Horn's symmetric scale. */
-  double symmetricScale() const
+  double
+  symmetricScale() const
   {
     return std::sqrt((target_squared_ - target_.squaredNorm() / n_) /
                      (source_squared_ - source_.squaredNorm() / n_));
@@ -54,7 +56,8 @@ public:
 
   /** The similarity of this scale that brings the source points closest to their
    * counterparts: (e7) and (e8), with a determinant that cannot become a mirror's. */
-  Eigen::Matrix4d similarity(double scale) const
+  Eigen::Matrix4d
+  similarity(double scale) const
   {
     const Eigen::Matrix3d covariance = product_ - target_ * source_.transpose() / n_;
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU |

@@ -40,7 +40,8 @@ public:
   {
   }
 
-  Cell of(const Eigen::Vector3f& point) const
+  Cell
+  of(const Eigen::Vector3f& point) const
   {
     return ((point - lower_) * inverse_edge_).cast<int>().array() + 1;
   }
@@ -97,24 +98,31 @@ public:
     }
   }
 
-  std::vector<Voxel>& voxels() { return voxels_; }
+  std::vector<Voxel>&
+  voxels()
+  {
+    return voxels_;
+  }
 
   /** Farthest point sampling in every voxel, up to its quota. */
-  void sampleQuotas(const std::vector<std::size_t>& quotas, int threads)
+  void
+  sampleQuotas(const std::vector<std::size_t>& quotas, int threads)
   {
     sample([&](std::size_t v) { return quotas[v]; }, -1.0f, threads);
   }
 
   /** Farthest point sampling in every voxel, until no point of it is farther than \a
    * gap from all samples. */
-  void sampleApart(float gap, int threads)
+  void
+  sampleApart(float gap, int threads)
   {
     sample([](std::size_t) { return ~std::size_t(0); }, gap * gap, threads);
   }
 
 private:
   template <typename Quota>
-  void sample(const Quota& quota_of, float squared_gap, int threads)
+  void
+  sample(const Quota& quota_of, float squared_gap, int threads)
   {
     for (Voxel& voxel : voxels_) {
       voxel.samples.clear();
@@ -129,7 +137,8 @@ private:
   }
 
   /** Samples that earlier rounds took in the 26 voxels around. */
-  std::vector<int> samplesAround(const Voxel& voxel) const
+  std::vector<int>
+  samplesAround(const Voxel& voxel) const
   {
     std::vector<int> samples;
     for (int dx = -1; dx <= 1; ++dx)
@@ -144,7 +153,8 @@ private:
     return samples;
   }
 
-  void sampleVoxel(Voxel& voxel, std::size_t quota, float squared_gap) const
+  void
+  sampleVoxel(Voxel& voxel, std::size_t quota, float squared_gap) const
   {
     const std::size_t n = voxel.points.size();
     Points points(3, n);
@@ -290,6 +300,10 @@ sampleEvenly(const Points& cloud, std::size_t k, int threads)
   return indices;
 }
 
+/** A cloud of hardly more points than these is taken as it is: evenness would leave too
+ * little of it to tell a shape by. */
+constexpr std::size_t fewest_samples = 64;
+
 /** How far the points of a cloud lie apart where they are sparse: of even samples, nine
  * in ten have another point within this distance. */
 float
@@ -315,8 +329,9 @@ evenSampleSize(const Points& cloud, unsigned int k, unsigned int threads)
 {
   const Points thinned = thin(cloud, k);
   const int n = threadCount(threads);
-  const auto size = samplesApart(thinned, spacingWhereSparse(thinned, n), n).size();
-  return static_cast<unsigned int>(std::min<std::size_t>(k, size));
+  const auto apart = samplesApart(thinned, spacingWhereSparse(thinned, n), n).size();
+  const std::size_t least = std::min<std::size_t>(cloud.cols(), fewest_samples);
+  return static_cast<unsigned int>(std::min<std::size_t>(k, std::max(apart, least)));
 }
 
 Points

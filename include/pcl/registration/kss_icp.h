@@ -44,7 +44,7 @@ namespace pcl {
  * wants setScaleEstimation(false).
  *
  * <b>Inherited settings</b> govern the final IterativeClosestPoint and keep their
- * meaning, with these defaults of KSSICP's own: at most 100 iterations
+ * meaning, with these defaults of KSSICP's own: at most 300 iterations
  * (setMaximumIterations); a relative change of the mean squared error below 1e-5
  * (setEuclideanFitnessEpsilon) or an unchanged transformation (setTransformationEpsilon
  * 0) ends it: both are free of units; no limit on correspondence distance; a run that
@@ -99,18 +99,21 @@ public:
   /** \brief Set the cloud to be aligned. A null or empty cloud leaves no source:
    * align() then reports it.
    */
-  void setInputSource(const PointCloudSourceConstPtr& cloud) override;
+  void
+  setInputSource(const PointCloudSourceConstPtr& cloud) override;
 
   /** \brief Set the cloud that the source is aligned to. A null or empty cloud leaves
    * no target: align() then reports it.
    */
-  void setInputTarget(const PointCloudTargetConstPtr& cloud) override;
+  void
+  setInputTarget(const PointCloudTargetConstPtr& cloud) override;
 
   /** \brief Register the two clouds, without a guess.
    * \param[out] output the source (its indexed points) transformed by
    * getFinalTransformation(); may be the source itself
    */
-  void align(PointCloudSource& output);
+  void
+  align(PointCloudSource& output);
 
   /** \brief Register the two clouds; the pose that ICP reaches from \a guess competes
    * with those that the search finds.
@@ -119,7 +122,8 @@ public:
    * \param[in] guess a similarity that maps the source near the target; identity means
    * that there is no guess
    */
-  void align(PointCloudSource& output, const Matrix4& guess);
+  void
+  align(PointCloudSource& output, const Matrix4& guess);
 
   /** \brief Mean squared distance from the (indexed, finite) aligned source points to
    * their nearest neighbours in the target.
@@ -127,61 +131,99 @@ public:
    * PCL
    * \return the score, or the largest double where no pair is left
    */
-  double getFitnessScore(double max_range = std::numeric_limits<double>::max());
+  double
+  getFitnessScore(double max_range = std::numeric_limits<double>::max());
   using Base::getFitnessScore;
 
   /** \brief Register a function that is called with every iteration of the final ICP.
    * \return whether the function can be called
    */
-  bool registerVisualizationCallback(
+  bool
+  registerVisualizationCallback(
       std::function<UpdateVisualizerCallbackSignature>& callback);
 
   /** \brief Set the number of points k that both clouds are simplified to (default
    * 2000). It shrinks by itself for clouds too small to be evened out at k points.
    * \param[in] points at least 20
    */
-  void setNumberOfSamplePoints(unsigned int points);
+  void
+  setNumberOfSamplePoints(unsigned int points);
 
   /** \brief Get the number of points that both clouds are simplified to. */
-  unsigned int getNumberOfSamplePoints() const { return settings_.sample_points; }
+  unsigned int
+  getNumberOfSamplePoints() const
+  {
+    return settings_.sample_points;
+  }
 
   /** \brief Set how the simplification spreads its points (default: by area). */
-  void setDensity(kss::Density density) { settings_.density = density; }
+  void
+  setDensity(kss::Density density)
+  {
+    settings_.density = density;
+  }
 
   /** \brief Get how the simplification spreads its points. */
-  kss::Density getDensity() const { return settings_.density; }
+  kss::Density
+  getDensity() const
+  {
+    return settings_.density;
+  }
 
   /** \brief Set which rotations are tried (default: the paper's Euler grid). */
-  void setRotationSet(kss::RotationSet set) { settings_.rotation_set = set; }
+  void
+  setRotationSet(kss::RotationSet set)
+  {
+    settings_.rotation_set = set;
+  }
 
   /** \brief Get which rotations are tried. */
-  kss::RotationSet getRotationSet() const { return settings_.rotation_set; }
+  kss::RotationSet
+  getRotationSet() const
+  {
+    return settings_.rotation_set;
+  }
 
   /** \brief Set the step theta of the Euler grid (default pi/6: 1728 rotations).
-   * \param[in] radians in (0, pi]; rounded so that steps fill the circle, and small
+   * \param[in] radians in [0.05, pi]; rounded so that steps fill the circle, and small
    * steps cost: the number of rotations is (2 pi / theta) cubed
    */
-  void setAngleStep(double radians);
+  void
+  setAngleStep(double radians);
 
   /** \brief Get the step of the Euler grid in radians. */
-  double getAngleStep() const { return settings_.angle_step; }
+  double
+  getAngleStep() const
+  {
+    return settings_.angle_step;
+  }
 
   /** \brief Set the number of rotations in the even set (default 1728).
-   * \param[in] rotations at least 1
+   * \param[in] rotations in [1, 100000]
    */
-  void setNumberOfEvenRotations(unsigned int rotations);
+  void
+  setNumberOfEvenRotations(unsigned int rotations);
 
   /** \brief Get the number of rotations in the even set. */
-  unsigned int getNumberOfEvenRotations() const { return settings_.even_rotations; }
+  unsigned int
+  getNumberOfEvenRotations() const
+  {
+    return settings_.even_rotations;
+  }
 
   /** \brief Set the edge of the kernel in which a local minimum is the smallest
    * (default 5, for 5x5x5). In the even set the kernel is a ball on SO(3) of as many
    * steps across. \param[in] edge odd, at least 3
    */
-  void setLocalMinimumKernel(unsigned int edge);
+  void
+  setLocalMinimumKernel(unsigned int edge);
 
   /** \brief Get the edge of the local minimum kernel. */
-  unsigned int getLocalMinimumKernel() const { return settings_.local_minimum_kernel; }
+  unsigned int
+  getLocalMinimumKernel() const
+  {
+    return settings_.local_minimum_kernel;
+  }
 
   /** \brief Set Q_the: with a final energy above it, the other local minima are refined
    * too (default 0.001).
@@ -189,10 +231,12 @@ public:
    * square radius; at least 0. The sampling alone exceeds the default, so that the
    * additional process practically always runs.
    */
-  void setAdditionalProcessThreshold(double threshold);
+  void
+  setAdditionalProcessThreshold(double threshold);
 
   /** \brief Get Q_the. */
-  double getAdditionalProcessThreshold() const
+  double
+  getAdditionalProcessThreshold() const
   {
     return settings_.additional_process_threshold;
   }
@@ -200,79 +244,128 @@ public:
   /** \brief Set whether the relative scale is estimated (default: true). Otherwise the
    * result has exactly the guess's scale, or 1 without a guess.
    */
-  void setScaleEstimation(bool estimate) { settings_.estimate_scale = estimate; }
+  void
+  setScaleEstimation(bool estimate)
+  {
+    settings_.estimate_scale = estimate;
+  }
 
   /** \brief Get whether the relative scale is estimated. */
-  bool getScaleEstimation() const { return settings_.estimate_scale; }
+  bool
+  getScaleEstimation() const
+  {
+    return settings_.estimate_scale;
+  }
 
   /** \brief Set where the search runs (default "auto").
    * \param[in] device "auto" for the first OpenCL device, GPUs first, or the host, with
    * a warning, where there is none; "host" for no OpenCL; otherwise the OpenCL device
    * whose name contains \a device, and align() fails where there is none.
    */
-  void setDevice(const std::string& device) { settings_.device = device; }
+  void
+  setDevice(const std::string& device)
+  {
+    settings_.device = device;
+  }
 
   /** \brief Get where the search was asked to run. */
-  const std::string& getDevice() const { return settings_.device; }
+  const std::string&
+  getDevice() const
+  {
+    return settings_.device;
+  }
 
   /** \brief Set the number of threads on the host and on OpenCL CPU devices.
    * \param[in] threads 0 (default) means as many as there are cores. The result does
    * not depend on it.
    */
-  void setNumberOfThreads(unsigned int threads) { settings_.threads = threads; }
+  void
+  setNumberOfThreads(unsigned int threads)
+  {
+    settings_.threads = threads;
+  }
 
   /** \brief Get the number of threads; 0: as many as there are cores. */
-  unsigned int getNumberOfThreads() const { return settings_.threads; }
+  unsigned int
+  getNumberOfThreads() const
+  {
+    return settings_.threads;
+  }
 
   /** \brief Set how far the aligned clouds may lie apart for hasConverged(): the mean
    * distance between them, both ways, as a multiple of the sampling distance (default
    * 1). Two samplings of one surface come out near 0.6 whatever the shape.
    * \param[in] multiple positive
    */
-  void setMaximumResidual(double multiple);
+  void
+  setMaximumResidual(double multiple);
 
   /** \brief Get how far the aligned clouds may lie apart for hasConverged(). */
-  double getMaximumResidual() const { return maximum_residual_; }
+  double
+  getMaximumResidual() const
+  {
+    return maximum_residual_;
+  }
 
   /** \brief Set a function that is told how far align() has come; may be empty. */
-  void setProgressCallback(const kss::ProgressCallback& callback)
+  void
+  setProgressCallback(const kss::ProgressCallback& callback)
   {
     settings_.progress = callback;
   }
 
   /** \brief Get the scale of the final transformation. */
-  double getScale() const;
+  double
+  getScale() const;
 
   /** \brief Get the energy (e9) of the final transformation: the Hausdorff distance of
    * the simplified clouds as a fraction of the target's root mean square radius. NaN
    * before the first align() and after a failure.
    */
-  double getFinalEnergy() const;
+  double
+  getFinalEnergy() const;
 
   /** \brief Get the residual of the final transformation: the mean distance between the
    * aligned clouds, both ways, as a multiple of the sampling distance; NaN as above.
    */
-  double getResidual() const { return residual_; }
+  double
+  getResidual() const
+  {
+    return residual_;
+  }
 
-  /** \brief Get the distinct poses that the search found, by rising energy; the first
-   * one is the final transformation.
+  /** \brief Get the distinct poses that competed: the final transformation, then the
+   * others by rising energy. A symmetric object has several of nearly equal energy.
    */
-  const kss::Alternatives& getAlternatives() const { return alternatives_; }
+  const kss::Alternatives&
+  getAlternatives() const
+  {
+    return alternatives_;
+  }
 
   /** \brief Get the seconds of wall time that the stages of the last align() took, in
    * the order in which they ran.
    */
-  const std::vector<kss::StageSeconds>& getStageSeconds() const
+  const std::vector<kss::StageSeconds>&
+  getStageSeconds() const
   {
     return stage_seconds_;
   }
 
   /** \brief Get the name of the device that the last align() searched on. */
-  const std::string& getDeviceName() const { return device_name_; }
+  const std::string&
+  getDeviceName() const
+  {
+    return device_name_;
+  }
 
   /** \brief Get one sentence on why the last align() did not converge; empty if it did.
    */
-  const std::string& getFailureReason() const { return failure_reason_; }
+  const std::string&
+  getFailureReason() const
+  {
+    return failure_reason_;
+  }
 
 protected:
   using Base::converged_;
@@ -293,15 +386,17 @@ protected:
   /** \brief Apply a similarity; normals take the pure rotation, points that are not
    * finite stay.
    */
-  void transformCloud(const PointCloudSource& input,
-                      PointCloudSource& output,
-                      const Matrix4& transform) override;
+  void
+  transformCloud(const PointCloudSource& input,
+                 PointCloudSource& output,
+                 const Matrix4& transform) override;
 
   /** \brief Algorithm 1 of the paper.
    * \param[out] output the transformed source
    * \param[in] guess a similarity; identity: none
    */
-  void computeTransformation(PointCloudSource& output, const Matrix4& guess) override;
+  void
+  computeTransformation(PointCloudSource& output, const Matrix4& guess) override;
 
 private:
   /** \brief Where one run of ICP on the clouds ended. */
@@ -324,38 +419,49 @@ private:
 
   /** \brief Take a value, or say why it is refused and keep the old one. */
   template <typename Value>
-  void set(Value& setting, const Value& value, bool sensible, const char* refusal);
+  void
+  set(Value& setting, const Value& value, bool sensible, const char* refusal);
 
   /** \brief What keeps align() from starting; empty if nothing does. */
-  std::string inputProblem() const;
+  std::string
+  inputProblem() const;
 
   /** \brief The indexed source points as they are. */
-  void copyIndexedSource(PointCloudSource& output) const;
+  void
+  copyIndexedSource(PointCloudSource& output) const;
 
   /** \brief Algorithm 1; throws where no pose can be found. */
-  void registerClouds(const Matrix4& guess);
+  void
+  registerClouds(const Matrix4& guess);
 
   /** \brief Those points of the source. */
-  PointCloudSourceConstPtr pick(const Indices& indices) const;
+  PointCloudSourceConstPtr
+  pick(const Indices& indices) const;
 
   /** \brief IterativeClosestPoint on the clouds themselves: T of (e11). */
-  Contender handOff(kss::Alignment& alignment,
-                    const PointCloudSourceConstPtr& source,
-                    const Eigen::Matrix4d& pose);
+  Contender
+  handOff(kss::Alignment& alignment,
+          const PointCloudSourceConstPtr& source,
+          const Eigen::Matrix4d& pose);
 
-  /** \brief Sort by energy, and hand off the first, until it has been handed off. */
-  void settle(kss::Alignment& alignment,
-              const PointCloudSourceConstPtr& source,
-              std::vector<Contender>& contenders);
+  /** \brief Hand off the best by energy until the best has been handed off, and put it
+   * first. */
+  void
+  settle(kss::Alignment& alignment,
+         const PointCloudSourceConstPtr& source,
+         std::vector<Contender>& contenders);
 
   /** \brief Take a contender as the result. */
-  void accept(const Contender& contender, const Indices& source_indices);
+  void
+  accept(const Contender& contender, const Indices& source_indices);
 
   /** \brief Decide whether the result has converged, and if not, say why. */
-  void judgeResult();
+  void
+  judgeResult();
 
   /** \brief Say why there is no result, and leave the guess as the transformation. */
-  void giveUp(const Matrix4& guess, const std::string& reason);
+  void
+  giveUp(const Matrix4& guess, const std::string& reason);
 
   kss::Settings settings_;
   double maximum_residual_ = 1.0;
@@ -373,8 +479,8 @@ private:
 #include <pcl/registration/impl/kss_icp.hpp>
 
 #ifndef PCL_NO_PRECOMPILE
-#define PCL_KSS_ICP_COMPILED(PointT)                                                     \
-  extern template class pcl::KSSICP<PointT, PointT, float>;                              \
+#define PCL_KSS_ICP_COMPILED(PointT)                                                   \
+  extern template class pcl::KSSICP<PointT, PointT, float>;                            \
   extern template class pcl::KSSICP<PointT, PointT, double>;
 PCL_KSS_ICP_COMPILED(pcl::PointXYZ)
 PCL_KSS_ICP_COMPILED(pcl::PointXYZI)

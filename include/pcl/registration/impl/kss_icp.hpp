@@ -13,12 +13,19 @@
 #include <stdexcept>
 
 namespace pcl {
+namespace kss {
+
+/** \brief ICP on the clouds can cost a pose the lead that it had among the simplified
+ * ones: then the next one gets its chance, so often at most. */
+constexpr int most_hand_offs = 3;
+
+} // namespace kss
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 KSSICP<PointSource, PointTarget, Scalar>::KSSICP()
 {
   reg_name_ = "KSSICP";
-  this->max_iterations_ = 100;
+  this->max_iterations_ = 300;
   this->euclidean_fitness_epsilon_ = 1e-5;
   convergence_criteria_.reset(new kss::HandOffCriteria<Scalar>(
       nr_iterations_, transformation_, *correspondences_));
@@ -195,9 +202,16 @@ KSSICP<PointSource, PointTarget, Scalar>::settle(kss::Alignment& alignment,
                        return a.pose.energy < b.pose.energy;
                      });
   };
-  for (rank(); !contenders.front().run; rank())
+  rank();
+  for (int runs = 0; runs < kss::most_hand_offs && !contenders.front().run; ++runs) {
     contenders.front() =
         handOff(alignment, source, contenders.front().pose.transformation);
+    rank();
+  }
+  const auto best =
+      std::find_if(contenders.begin(), contenders.end(),
+                   [](const Contender& contender) { return contender.run != nullptr; });
+  std::rotate(contenders.begin(), best, best + 1);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -396,8 +410,8 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 void
 KSSICP<PointSource, PointTarget, Scalar>::setAngleStep(double radians)
 {
-  set(settings_.angle_step, radians, radians >= M_PI / 180.0 && radians <= M_PI,
-      "setAngleStep] The step must lie between one degree and pi.");
+  set(settings_.angle_step, radians, radians >= 0.05 && radians <= M_PI,
+      "setAngleStep] The step must lie between 0.05 and pi.");
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -405,8 +419,8 @@ void
 KSSICP<PointSource, PointTarget, Scalar>::setNumberOfEvenRotations(
     unsigned int rotations)
 {
-  set(settings_.even_rotations, rotations, rotations >= 1,
-      "setNumberOfEvenRotations] At least one rotation is needed.");
+  set(settings_.even_rotations, rotations, rotations >= 1 && rotations <= 100000,
+      "setNumberOfEvenRotations] The number must lie between 1 and 100000.");
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>

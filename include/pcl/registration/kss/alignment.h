@@ -51,39 +51,51 @@ public:
   setClouds(const LocalCloud& source, const LocalCloud& target, double known_scale);
 
   /** \brief Search all candidates and refine the best. */
-  Alternatives align();
+  Alternatives
+  align();
 
   /** \brief The pose with its energy, which ranks it among the alternatives. */
-  Alternative judge(const Eigen::Matrix4d& transformation);
+  Alternative
+  judge(const Eigen::Matrix4d& transformation);
 
   /** \brief The mean distance of the simplified clouds, both ways, at a pose: a
    * multiple of the distance between neighbouring samples.
    */
-  double residual(const Eigen::Matrix4d& transformation);
+  double
+  residual(const Eigen::Matrix4d& transformation);
 
   /** \brief Whether two poses are the same for the purpose of listing alternatives. */
-  bool same(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const;
+  bool
+  same(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const;
 
   /** \brief The name of the device that evaluates the candidates. */
-  std::string deviceName() const;
+  std::string
+  deviceName() const;
 
   /** \brief Wall time by stage since setClouds(). */
-  StageClock& clock();
+  StageClock&
+  clock();
 
 private:
   using Poses = std::vector<Eigen::Matrix4d>;
 
-  Alternatives refined(const Poses& minima);
+  Alternatives
+  refined(const Poses& minima);
 
-  Poses distinctByEnergy(const Poses& poses);
+  Poses
+  distinctByEnergy(const Poses& poses);
 
-  double displacement(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const;
+  double
+  displacement(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const;
 
-  std::vector<HausdorffDistances> distancesOf(const Poses& poses);
+  std::vector<HausdorffDistances>
+  distancesOf(const Poses& poses);
 
-  std::vector<float> energiesOf(const Poses& poses);
+  std::vector<float>
+  energiesOf(const Poses& poses);
 
-  void report(const char* stage, double done) const;
+  void
+  report(const char* stage, double done) const;
 
   Settings settings_;
   std::unique_ptr<HausdorffEvaluator> evaluator_;

@@ -22,14 +22,18 @@ public:
   virtual ~CandidateRotations() = default;
 
   /** \brief All rotations of the set. */
-  const Rotations& rotations() const { return rotations_; }
+  const Rotations&
+  rotations() const
+  {
+    return rotations_;
+  }
 
   /** \brief The other rotations within the kernel of (e12) around one of them.
    * \param[in] index a rotation of the set
    * \param[in] kernel the edge of the kernel in steps; odd
    */
-  virtual std::vector<std::size_t> neighbours(std::size_t index,
-                                              unsigned int kernel) const = 0;
+  virtual std::vector<std::size_t>
+  neighbours(std::size_t index, unsigned int kernel) const = 0;
 
 protected:
   Rotations rotations_;
@@ -46,8 +50,8 @@ public:
   /** \param[in] angle_step theta, in radians; rounded so that steps fill the circle */
   explicit EulerRotations(double angle_step);
 
-  std::vector<std::size_t> neighbours(std::size_t index,
-                                      unsigned int kernel) const override;
+  std::vector<std::size_t>
+  neighbours(std::size_t index, unsigned int kernel) const override;
 
 private:
   int steps_;
@@ -62,12 +66,13 @@ public:
   /** \param[in] number how many rotations; at least 1 */
   explicit EvenRotations(unsigned int number);
 
-  std::vector<std::size_t> neighbours(std::size_t index,
-                                      unsigned int kernel) const override;
+  std::vector<std::size_t>
+  neighbours(std::size_t index, unsigned int kernel) const override;
 };
 
 /** \brief The set that the settings ask for. */
-std::unique_ptr<CandidateRotations> candidateRotations(const Settings& settings);
+std::unique_ptr<CandidateRotations>
+candidateRotations(const Settings& settings);
 
 } // namespace kss
 } // namespace pcl

@@ -25,12 +25,14 @@ public:
   using Base::Base;
 
   /** \brief Set the mean squared error at which nothing is left to gain. */
-  void setRoundingError(double mean_squared_error)
+  void
+  setRoundingError(double mean_squared_error)
   {
     rounding_error_ = mean_squared_error;
   }
 
-  bool hasConverged() override
+  bool
+  hasConverged() override
   {
     if (this->iterations_ <= 1)
       this->correspondences_prev_mse_ = std::numeric_limits<double>::max();

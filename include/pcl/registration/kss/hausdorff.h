@@ -30,10 +30,18 @@ struct HausdorffDistances {
   float mean_target_to_source;
 
   /** \brief The Hausdorff distance H of (e9): the larger of the directed ones. */
-  float hausdorff() const { return std::max(source_to_target, target_to_source); }
+  float
+  hausdorff() const
+  {
+    return std::max(source_to_target, target_to_source);
+  }
 
   /** \brief The mean distance, both ways. */
-  float mean() const { return 0.5f * (mean_source_to_target + mean_target_to_source); }
+  float
+  mean() const
+  {
+    return 0.5f * (mean_source_to_target + mean_target_to_source);
+  }
 };
 
 /** \brief Computes the distances of many placements of one source on one target. */
@@ -42,34 +50,38 @@ public:
   virtual ~HausdorffEvaluator() = default;
 
   /** \brief Set the two clouds; at least one point each. */
-  virtual void setClouds(const Points& source, const Points& target) = 0;
+  virtual void
+  setClouds(const Points& source, const Points& target) = 0;
 
   /** \brief The distances of all placements, in their order. */
   virtual std::vector<HausdorffDistances>
   evaluate(const std::vector<Placement>& placements) = 0;
 
   /** \brief The name of the device that does the work. */
-  virtual std::string deviceName() const = 0;
+  virtual std::string
+  deviceName() const = 0;
 };
 
 /** \brief An evaluator on the host: the reference, and the way out without OpenCL.
  * \param[in] threads 0: as many as there are cores
  */
-std::unique_ptr<HausdorffEvaluator> makeHostEvaluator(unsigned int threads);
+std::unique_ptr<HausdorffEvaluator>
+makeHostEvaluator(unsigned int threads);
 
 /** \brief An evaluator on an OpenCL device.
  * \param[in] device part of a device's name, or "auto": the first GPU, else the first
  * \param[in] threads compute units to use of a CPU device; 0: all
  * \throws DeviceError where there is no such device or it does not work
  */
-std::unique_ptr<HausdorffEvaluator> makeOpenCLEvaluator(const std::string& device,
-                                                        unsigned int threads);
+std::unique_ptr<HausdorffEvaluator>
+makeOpenCLEvaluator(const std::string& device, unsigned int threads);
 
 /** \brief The evaluator that the settings ask for: with the device "auto" the host
  * takes over, with one warning, where no OpenCL device can be had. \throws DeviceError
  * where a device asked for by name cannot be had
  */
-std::unique_ptr<HausdorffEvaluator> makeEvaluator(const Settings& settings);
+std::unique_ptr<HausdorffEvaluator>
+makeEvaluator(const Settings& settings);
 
 } // namespace kss
 } // namespace pcl

@@ -23,10 +23,11 @@ namespace kss {
  * \param[in] distinct_angle radians
  * \return indices into the candidates; never empty unless there are none
  */
-std::vector<std::size_t> localMinima(const std::vector<float>& energies,
-                                     const CandidateRotations& candidates,
-                                     unsigned int kernel,
-                                     double distinct_angle);
+std::vector<std::size_t>
+localMinima(const std::vector<float>& energies,
+            const CandidateRotations& candidates,
+            unsigned int kernel,
+            double distinct_angle);
 
 } // namespace kss
 } // namespace pcl

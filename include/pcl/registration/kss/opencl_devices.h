@@ -18,7 +18,8 @@ public:
 };
 
 /** \brief The names of all OpenCL devices of this machine, "device (platform)". */
-std::vector<std::string> openCLDeviceNames();
+std::vector<std::string>
+openCLDeviceNames();
 
 } // namespace kss
 } // namespace pcl

@@ -32,29 +32,35 @@ struct PreShape {
  * \throws std::invalid_argument where the points coincide or lie on a line, so that no
  * rotation is determined
  */
-PreShape toPreShape(const LocalCloud& cloud);
+PreShape
+toPreShape(const LocalCloud& cloud);
 
 /** \brief The same cloud with another size: where the scale of a pair is known, the
  * source takes its size from the target's.
  */
-PreShape withSize(const PreShape& shape, double size);
+PreShape
+withSize(const PreShape& shape, double size);
 
 /** \brief A pose between pre-shapes as a transformation between the clouds. */
-Eigen::Matrix4d fromPreShape(const Eigen::Matrix4d& pose,
-                             const PreShape& source,
-                             const PreShape& target);
+Eigen::Matrix4d
+fromPreShape(const Eigen::Matrix4d& pose,
+             const PreShape& source,
+             const PreShape& target);
 
 /** \brief A transformation between clouds as a pose between their pre-shapes. */
-Eigen::Matrix4d toPreShapePose(const Eigen::Matrix4d& transformation,
-                               const PreShape& source,
-                               const PreShape& target);
+Eigen::Matrix4d
+toPreShapePose(const Eigen::Matrix4d& transformation,
+               const PreShape& source,
+               const PreShape& target);
 
 /** \brief Whether a matrix is a rotation, translation and positive scale, all finite.
  */
-bool isSimilarity(const Eigen::Matrix4d& matrix);
+bool
+isSimilarity(const Eigen::Matrix4d& matrix);
 
 /** \brief The scale of a similarity: the cube root of its determinant. */
-double scaleOf(const Eigen::Matrix4d& similarity);
+double
+scaleOf(const Eigen::Matrix4d& similarity);
 
 } // namespace kss
 } // namespace pcl

@@ -19,7 +19,8 @@ namespace kss {
  * \param[in] threads 0: as many as there are cores
  * \return at most k, at least 1
  */
-unsigned int evenSampleSize(const Points& cloud, unsigned int k, unsigned int threads);
+unsigned int
+evenSampleSize(const Points& cloud, unsigned int k, unsigned int threads);
 
 /** \brief Simplify a cloud to k of its points: parallel farthest point sampling in
  * voxels (Sec. III-B of the paper).

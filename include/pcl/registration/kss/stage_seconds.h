@@ -21,14 +21,16 @@ struct StageSeconds {
 class StageClock {
 public:
   /** \brief Forget all stages and start the first. */
-  void restart()
+  void
+  restart()
   {
     stages_.clear();
     lap_ = std::chrono::steady_clock::now();
   }
 
   /** \brief End the running stage, name it, and start the next. */
-  void lap(const std::string& stage)
+  void
+  lap(const std::string& stage)
   {
     const auto now = std::chrono::steady_clock::now();
     stages_.push_back({stage, std::chrono::duration<double>(now - lap_).count()});
@@ -36,7 +38,11 @@ public:
   }
 
   /** \brief The stages so far, in their order. */
-  const std::vector<StageSeconds>& stages() const { return stages_; }
+  const std::vector<StageSeconds>&
+  stages() const
+  {
+    return stages_;
+  }
 
 private:
   std::vector<StageSeconds> stages_;
