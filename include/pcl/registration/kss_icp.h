@@ -294,7 +294,8 @@ public:
 
   /** \brief Set how far the aligned clouds may lie apart for hasConverged(): the mean
    * distance between them, both ways, as a multiple of the sampling distance (default
-   * 1). Two samplings of one surface come out near 0.6 whatever the shape.
+   * 0.75). Two samplings of one surface come out near 0.5, or 0.6 where the noise is
+   * larger than the sampling distance, whatever the shape.
    * \param[in] multiple positive
    */
   void
@@ -422,9 +423,9 @@ private:
   void
   set(Value& setting, const Value& value, bool sensible, const char* refusal);
 
-  /** \brief What keeps align() from starting; empty if nothing does. */
-  std::string
-  inputProblem() const;
+  /** \brief Check what align() needs before it can start. */
+  void
+  throwOnBadInput() const;
 
   /** \brief The indexed source points as they are. */
   void
@@ -459,12 +460,16 @@ private:
   void
   judgeResult();
 
+  /** \brief Tell the progress callback, if there is one. */
+  void
+  report(const char* stage, double done) const;
+
   /** \brief Say why there is no result, and leave the guess as the transformation. */
   void
   giveUp(const Matrix4& guess, const std::string& reason);
 
   kss::Settings settings_;
-  double maximum_residual_ = 1.0;
+  double maximum_residual_ = 0.75;
   bool source_is_output_ = false;
 
   kss::Alternatives alternatives_;

@@ -10,6 +10,7 @@
 #include <pcl/registration/kss_icp.h>
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace pcl {
@@ -78,11 +79,12 @@ KSSICP<PointSource, PointTarget, Scalar>::align(PointCloudSource& output,
   if (in_place)
     input_ = pcl::make_shared<PointCloudSource>(*source);
 
-  const std::string problem = inputProblem();
-  if (problem.empty())
+  try {
+    throwOnBadInput();
     Base::align(output, guess);
-  else {
-    giveUp(guess, problem);
+  }
+  catch (const std::exception& error) {
+    giveUp(guess, error.what());
     copyIndexedSource(output);
     transformCloud(output, output, final_transformation_);
   }
@@ -91,20 +93,21 @@ KSSICP<PointSource, PointTarget, Scalar>::align(PointCloudSource& output,
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
-std::string
-KSSICP<PointSource, PointTarget, Scalar>::inputProblem() const
+void
+KSSICP<PointSource, PointTarget, Scalar>::throwOnBadInput() const
 {
   if (!input_)
-    return "There is no source cloud; call setInputSource with one that has points.";
+    throw std::invalid_argument(
+        "There is no source cloud; call setInputSource with one that has points.");
   if (!target_)
-    return "There is no target cloud; call setInputTarget with one that has points.";
+    throw std::invalid_argument(
+        "There is no target cloud; call setInputTarget with one that has points.");
   if (indices_ && !this->fake_indices_)
     for (const index_t index : *indices_)
       if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
-        return "The index " + std::to_string(index) +
-               " is out of range: the source has " + std::to_string(input_->size()) +
-               " points.";
-  return {};
+        throw std::invalid_argument("The index " + std::to_string(index) +
+                                    " is out of range: the source has " +
+                                    std::to_string(input_->size()) + " points.");
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -146,6 +149,8 @@ void
 KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
 {
   failure_reason_.clear();
+  stage_seconds_.clear();
+  device_name_.clear();
   const bool has_guess = guess != Matrix4::Identity();
   const Eigen::Matrix4d guessed = guess.template cast<double>();
   if (has_guess && !kss::isSimilarity(guessed))
@@ -169,6 +174,7 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
   const kss::Alternatives found = alignment.align();
 
   // ICP on the clouds themselves
+  report("hand-off", 0.0);
   const PointCloudSourceConstPtr source = pick(source_indices);
   std::vector<Contender> contenders;
   for (const Alternative& alternative : found)
@@ -185,6 +191,7 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
                      }))
       alternatives_.push_back(contender.pose);
   residual_ = alignment.residual(alternatives_.front().transformation);
+  report("hand-off", 1.0);
   alignment.clock().lap("hand-off");
   stage_seconds_ = alignment.clock().stages();
   judgeResult();
@@ -221,8 +228,6 @@ KSSICP<PointSource, PointTarget, Scalar>::handOff(
     const PointCloudSourceConstPtr& source,
     const Eigen::Matrix4d& pose)
 {
-  if (settings_.progress)
-    settings_.progress("hand-off", 0.0);
   if (auto* criteria =
           dynamic_cast<kss::HandOffCriteria<Scalar>*>(convergence_criteria_.get()))
     criteria->setRoundingError(kss::roundingError(*target_));
@@ -236,8 +241,6 @@ KSSICP<PointSource, PointTarget, Scalar>::handOff(
   input_ = source;
   PointCloudSource unused;
   Base::computeTransformation(unused, pose.cast<Scalar>());
-  if (settings_.progress)
-    settings_.progress("hand-off", 1.0);
   return {alignment.judge(final_transformation_.template cast<double>()),
           std::make_shared<HandOff>(HandOff{final_transformation_, transformation_,
                                             previous_transformation_, nr_iterations_,
@@ -248,7 +251,9 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 typename KSSICP<PointSource, PointTarget, Scalar>::PointCloudSourceConstPtr
 KSSICP<PointSource, PointTarget, Scalar>::pick(const Indices& indices) const
 {
-  if (indices.size() == input_->size())
+  Indices all(input_->size());
+  std::iota(all.begin(), all.end(), 0);
+  if (indices == all)
     return input_;
   const auto picked = pcl::make_shared<PointCloudSource>(*input_, indices);
   picked->is_dense = true;
@@ -289,7 +294,15 @@ KSSICP<PointSource, PointTarget, Scalar>::judgeResult()
                       " are allowed (setMaximumResidual).";
   converged_ = failure_reason_.empty();
   if (!converged_)
-    PCL_WARN("[pcl::%s::align] %s\n", getClassName().c_str(), failure_reason_.c_str());
+    PCL_WARN("[pcl::%s] %s\n", getClassName().c_str(), failure_reason_.c_str());
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::report(const char* stage, double done) const
+{
+  if (settings_.progress)
+    settings_.progress(stage, done);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -297,7 +310,7 @@ void
 KSSICP<PointSource, PointTarget, Scalar>::giveUp(const Matrix4& guess,
                                                  const std::string& reason)
 {
-  PCL_ERROR("[pcl::%s::align] %s\n", getClassName().c_str(), reason.c_str());
+  PCL_ERROR("[pcl::%s] %s\n", getClassName().c_str(), reason.c_str());
   failure_reason_ = reason;
   converged_ = false;
   final_transformation_ = kss::isSimilarity(guess.template cast<double>())
