@@ -211,8 +211,11 @@ KSSICP<PointSource, PointTarget, Scalar>::settle(kss::Alignment& alignment,
   };
   rank();
   for (int runs = 0; runs < kss::most_hand_offs && !contenders.front().run; ++runs) {
-    contenders.front() =
-        handOff(alignment, source, contenders.front().pose.transformation);
+    const Eigen::Matrix4d pose = contenders.front().pose.transformation;
+    // where nothing fits, one run is enough to say so
+    if (runs > 0 && alignment.residual(pose) > maximum_residual_)
+      break;
+    contenders.front() = handOff(alignment, source, pose);
     rank();
   }
   const auto best =
