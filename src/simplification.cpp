@@ -244,7 +244,8 @@ thin(const Points& cloud, unsigned int k)
       break;
     edge *= std::sqrt(static_cast<float>(kept.size()) / (1.5f * wanted));
   }
-  return take(cloud, kept);
+  // a point far away from all others can make the smallest cells too large
+  return kept.size() < wanted ? cloud : take(cloud, kept);
 }
 
 /** The samples that lie at least \a gap apart; voxels are made large enough for the gap
@@ -300,7 +301,7 @@ sampleEvenly(const Points& cloud, std::size_t k, int threads)
   return indices;
 }
 
-/** A cloud of hardly more points than these is taken as it is: evenness would leave too
+/** A cloud of no more points than these is taken as it is: evenness would leave too
  * little of it to tell a shape by. */
 constexpr std::size_t fewest_samples = 64;
 
@@ -330,8 +331,8 @@ evenSampleSize(const Points& cloud, unsigned int k, unsigned int threads)
   const Points thinned = thin(cloud, k);
   const int n = threadCount(threads);
   const auto apart = samplesApart(thinned, spacingWhereSparse(thinned, n), n).size();
-  const std::size_t least = std::min<std::size_t>(cloud.cols(), fewest_samples);
-  return static_cast<unsigned int>(std::min<std::size_t>(k, std::max(apart, least)));
+  return static_cast<unsigned int>(
+      std::min<std::size_t>(k, std::max(apart, fewest_samples)));
 }
 
 Points

@@ -87,6 +87,9 @@ public:
   using typename Base::PointCloudTargetPtr;
   using typename Base::UpdateVisualizerCallbackSignature;
 
+  using Base::convergence_criteria_;
+  using Base::getClassName;
+
   /** \brief One of the poses that compete: the result, or one that came close. */
   using Alternative = kss::Alternative;
 
@@ -370,10 +373,8 @@ public:
 
 protected:
   using Base::converged_;
-  using Base::convergence_criteria_;
   using Base::correspondences_;
   using Base::final_transformation_;
-  using Base::getClassName;
   using Base::indices_;
   using Base::input_;
   using Base::nr_iterations_;

@@ -149,8 +149,6 @@ void
 KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
 {
   failure_reason_.clear();
-  stage_seconds_.clear();
-  device_name_.clear();
   const bool has_guess = guess != Matrix4::Identity();
   const Eigen::Matrix4d guessed = guess.template cast<double>();
   if (has_guess && !kss::isSimilarity(guessed))
@@ -323,6 +321,8 @@ KSSICP<PointSource, PointTarget, Scalar>::giveUp(const Matrix4& guess,
   nr_iterations_ = 0;
   correspondences_->clear();
   alternatives_.clear();
+  stage_seconds_.clear();
+  device_name_.clear();
   residual_ = std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -355,9 +355,12 @@ KSSICP<PointSource, PointTarget, Scalar>::getFitnessScore(double max_range)
   std::size_t pairs = 0;
   if (input_ && target_ && tree_->getInputCloud()) {
     PointCloudSource aligned;
-    copyIndexedSource(aligned);
-    if (!source_is_output_)
+    if (source_is_output_)
+      aligned = *input_;
+    else {
+      copyIndexedSource(aligned);
       transformCloud(aligned, aligned, final_transformation_);
+    }
     Indices index(1);
     std::vector<float> squared(1);
     for (const PointSource& point : aligned) {

@@ -56,7 +56,9 @@ toLocalCloud(const PointCloud<PointT>& cloud, const Indices& indices)
   return local;
 }
 
-/** \brief What rounding alone contributes to the squared distance of two points. */
+/** \brief What rounding alone contributes to the squared distance of two points: a few
+ * dozen roundings of the largest coordinate, as many steps of ICP make.
+ */
 template <typename PointT>
 double
 roundingError(const PointCloud<PointT>& cloud)
@@ -65,7 +67,7 @@ roundingError(const PointCloud<PointT>& cloud)
   for (const PointT& point : cloud)
     if (point.getVector3fMap().allFinite())
       largest = std::max<double>(largest, point.getVector3fMap().squaredNorm());
-  return largest * std::pow(std::numeric_limits<float>::epsilon(), 2);
+  return largest * std::pow(10.0 * std::numeric_limits<float>::epsilon(), 2);
 }
 
 } // namespace kss

@@ -17,7 +17,7 @@ namespace kss {
  * \param[in] cloud a cloud of at least one point
  * \param[in] k the number of points wished for
  * \param[in] threads 0: as many as there are cores
- * \return at most k, at least 1
+ * \return at most k, and no less than the smaller of k and 64
  */
 unsigned int
 evenSampleSize(const Points& cloud, unsigned int k, unsigned int threads);
@@ -35,7 +35,8 @@ evenSampleSize(const Points& cloud, unsigned int k, unsigned int threads);
  * \param[in] k the number of samples
  * \param[in] density how the samples are spread
  * \param[in] threads 0: as many as there are cores; the result does not depend on it
- * \return exactly k points, or all distinct points where the cloud has no more
+ * \return exactly k points; all points where the cloud has no more (of copies,
+ * Density::UNIFORM takes one)
  */
 Points
 simplify(const Points& cloud, unsigned int k, Density density, unsigned int threads);

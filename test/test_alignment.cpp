@@ -1,0 +1,261 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "poses.h"
+
+#include <pcl/registration/kss/alignment.h>
+#include <pcl/registration/kss/opencl_devices.h>
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <stdexcept>
+
+namespace {
+
+using namespace kss_test;
+using namespace pcl::kss;
+
+LocalCloud
+local(const Points& points)
+{
+  LocalCloud cloud;
+  cloud.points = points;
+  return cloud;
+}
+
+/** As many points as it takes: 2000 are for real scans. One thread: on a busy machine,
+ * threads that wait for each other take many times as long over so little work. */
+Settings
+quick()
+{
+  Settings settings;
+  settings.sample_points = 300;
+  settings.threads = 1;
+  return settings;
+}
+
+Alternatives
+aligned(const Settings& settings,
+        const Points& source,
+        const Points& target,
+        double known_scale = 1.0)
+{
+  Alignment alignment(settings);
+  alignment.setClouds(local(source), local(target), known_scale);
+  return alignment.align();
+}
+
+TEST(Alignment, FindsRandomSimilarities)
+{
+  Settings settings = quick();
+  for (const RotationSet set : {RotationSet::EULER, RotationSet::EVEN}) {
+    settings.rotation_set = set;
+    for (unsigned int seed = 0; seed < 3; ++seed) {
+      const Points target = sampled(creature(), 6000, 2 * seed);
+      const Eigen::Matrix4d truth = randomSimilarity(seed);
+      const Points source =
+          transformed(sampled(creature(), 4000, 2 * seed + 1), truth.inverse());
+      const auto found = aligned(settings, source, target);
+      ASSERT_FALSE(found.empty());
+      // 300 samples lie 5 % of the diagonal apart; ICP on the clouds does the rest
+      EXPECT_LT(displacement(found.front().transformation, truth, source), 0.03);
+      EXPECT_NEAR(1.0, scaleIn(found.front().transformation) / scaleIn(truth), 0.03);
+    }
+  }
+}
+
+TEST(Alignment, FindsThePoseInThePapersDensity)
+{
+  Settings settings = quick();
+  settings.density = Density::PAPER;
+  const Eigen::Matrix4d truth = randomSimilarity(20);
+  const Points source = transformed(sampled(creature(), 5000, 21), truth.inverse());
+  const auto found = aligned(settings, source, sampled(creature(), 5000, 22));
+  EXPECT_LT(displacement(found.front().transformation, truth, source), 0.05);
+}
+
+TEST(Alignment, IsNotLedAstrayByUnevenDensity)
+{
+  // one half of the source holds nine times the points of the other
+  const Points even = sampled(creature(), 20000, 23);
+  Points uneven(3, 0);
+  for (Eigen::Index i = 0; i < even.cols(); ++i)
+    if (even(0, i) > 0.0f || i % 9 == 0) {
+      uneven.conservativeResize(3, uneven.cols() + 1);
+      uneven.rightCols<1>() = even.col(i);
+    }
+  const Eigen::Matrix4d truth = randomSimilarity(24);
+  const Points source = transformed(uneven, truth.inverse());
+  const auto found = aligned(quick(), source, sampled(creature(), 10000, 25));
+  EXPECT_LT(displacement(found.front().transformation, truth, source), 0.03);
+}
+
+TEST(Alignment, KeepsAKnownScale)
+{
+  Settings settings = quick();
+  settings.estimate_scale = false;
+  const Points target = sampled(creature(), 5000, 26);
+  for (const double scale : {0.5, 1.0, 3.0}) {
+    Eigen::Matrix4d truth = randomRigid(27);
+    truth.topLeftCorner<3, 3>() *= scale;
+    const Points source = transformed(sampled(creature(), 5000, 28), truth.inverse());
+    const auto found = aligned(settings, source, target, scale);
+    EXPECT_LT(displacement(found.front().transformation, truth, source), 0.03);
+    for (const Alternative& alternative : found)
+      EXPECT_NEAR(scale, scaleOf(alternative.transformation), 1e-9 * scale);
+  }
+}
+
+TEST(Alignment, ListsDistinctPosesByRisingEnergy)
+{
+  const Points source = sampled(creature(), 3000, 29);
+  const Points target = sampled(creature(), 3000, 30);
+  Alignment alignment(quick());
+  alignment.setClouds(local(source), local(target), 1.0);
+  const auto found = alignment.align();
+  ASSERT_GT(found.size(), 1u);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_TRUE(isSimilarity(found[i].transformation));
+    // the energy is the one that judge() gives
+    EXPECT_NEAR(alignment.judge(found[i].transformation).energy, found[i].energy, 1e-5);
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_LE(found[j].energy, found[i].energy);
+      EXPECT_FALSE(alignment.same(found[i].transformation, found[j].transformation));
+    }
+  }
+}
+
+TEST(Alignment, ShowsTheFlipOfAFlatCloud)
+{
+  const Points source = sampled(pennant(), 3000, 31);
+  const Points target = sampled(pennant(), 3000, 32);
+  const Eigen::Matrix4d flip = turn(180.0, {1.0, 0.0, 0.0});
+  const auto found = aligned(quick(), source, target);
+  const auto holds = [&](const Eigen::Matrix4d& pose) {
+    return std::any_of(found.begin(), found.end(), [&](const Alternative& listed) {
+      return displacement(listed.transformation, pose, source) < 0.05;
+    });
+  };
+  EXPECT_TRUE(holds(Eigen::Matrix4d::Identity()));
+  EXPECT_TRUE(holds(flip));
+  // both fit equally well, far better than the next
+  ASSERT_GE(found.size(), 2u);
+  EXPECT_LT(found[1].energy, 1.5 * found[0].energy);
+  if (found.size() > 2) {
+    EXPECT_GT(found[2].energy, 1.5 * found[1].energy);
+  }
+}
+
+TEST(Alignment, RefinesMoreThanTheFirstOnlyWhereItIsNotGoodEnough)
+{
+  Settings settings = quick();
+  const Points source = sampled(creature(), 3000, 33);
+  const Points target = sampled(creature(), 3000, 34);
+  EXPECT_GT(aligned(settings, source, target).size(), 1u);
+  settings.additional_process_threshold = 10.0; // nothing is that far apart
+  EXPECT_EQ(1u, aligned(settings, source, target).size());
+}
+
+TEST(Alignment, HasAResidualThatTellsRightFromWrong)
+{
+  Alignment alignment(quick());
+  const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+  for (unsigned int seed = 40; seed < 44; ++seed) {
+    const Points source = sampled(creature(), 5000, seed);
+    alignment.setClouds(local(source), local(sampled(creature(), 5000, seed + 10)),
+                        1.0);
+    // two samplings of one surface come out near half a sampling distance
+    EXPECT_NEAR(0.5, alignment.residual(identity), 0.25);
+    EXPECT_GT(alignment.residual(turn(60.0, {0.0, 1.0, 0.0})), 1.0);
+    alignment.setClouds(local(source), local(source), 1.0);
+    EXPECT_NEAR(0.0, alignment.residual(identity), 1e-5);
+  }
+}
+
+TEST(Alignment, DependsNeitherOnTheDeviceNorOnThreads)
+{
+  const Eigen::Matrix4d truth = randomSimilarity(50);
+  const Points source = transformed(sampled(creature(), 4000, 51), truth.inverse());
+  const Points target = sampled(creature(), 4000, 52);
+  Settings settings = quick();
+  settings.device = "host";
+  settings.threads = 1;
+  const auto on_host = aligned(settings, source, target);
+  for (const unsigned int threads : {1u, 2u, 0u}) {
+    settings.threads = threads;
+    const auto again = aligned(settings, source, target);
+    ASSERT_EQ(on_host.size(), again.size());
+    for (std::size_t i = 0; i < again.size(); ++i) {
+      EXPECT_EQ(on_host[i].transformation, again[i].transformation);
+      EXPECT_EQ(on_host[i].energy, again[i].energy);
+    }
+  }
+  if (openCLDeviceNames().empty())
+    GTEST_SKIP() << "There is no OpenCL device on this machine.";
+  settings.device = "auto";
+  settings.threads = 1;
+  const auto on_device = aligned(settings, source, target);
+  // the kernel's sums may round otherwise, which the result hardly feels
+  EXPECT_LT(displacement(on_device.front().transformation,
+                         on_host.front().transformation, source),
+            1e-4);
+  EXPECT_NEAR(on_host.front().energy, on_device.front().energy, 1e-4);
+}
+
+TEST(Alignment, SaysWhichCloudDeterminesNoPose)
+{
+  Points line(3, 100);
+  for (Eigen::Index i = 0; i < 100; ++i)
+    line.col(i) = Eigen::Vector3f(1.0f, 2.0f, 3.0f) * static_cast<float>(i);
+  const Points good = sampled(creature(), 500, 53);
+  const auto errorOf = [](const Points& source, const Points& target) -> std::string {
+    try {
+      aligned(quick(), source, target);
+    }
+    catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_NE(std::string::npos, errorOf(line, good).find("source"));
+  EXPECT_NE(std::string::npos, errorOf(line, good).find("line"));
+  EXPECT_NE(std::string::npos, errorOf(good, line).find("target"));
+  const Points equal = Points::Constant(3, 100, 1.0f);
+  EXPECT_NE(std::string::npos, errorOf(equal, good).find("coincide"));
+}
+
+TEST(Alignment, ReportsProgressAndTime)
+{
+  std::map<std::string, double> done;
+  std::vector<std::string> order;
+  Settings settings = quick();
+  settings.progress = [&](const std::string& stage, double share) {
+    EXPECT_GE(share, 0.0);
+    EXPECT_LE(share, 1.0);
+    if (done.count(stage) == 0)
+      order.push_back(stage);
+    else
+      EXPECT_GE(share, done[stage]) << stage;
+    done[stage] = share;
+  };
+  Alignment alignment(settings);
+  alignment.setClouds(local(sampled(creature(), 2000, 54)),
+                      local(sampled(creature(), 2000, 55)), 1.0);
+  alignment.align();
+  EXPECT_EQ((std::vector<std::string>{"simplification", "search", "refinement"}),
+            order);
+  for (const auto& stage : done)
+    EXPECT_EQ(1.0, stage.second) << stage.first;
+  std::vector<std::string> timed;
+  for (const StageSeconds& stage : alignment.clock().stages()) {
+    timed.push_back(stage.stage);
+    EXPECT_GE(stage.seconds, 0.0);
+  }
+  EXPECT_EQ(
+      (std::vector<std::string>{"simplification", "search", "minima", "refinement"}),
+      timed);
+}
+
+} // namespace

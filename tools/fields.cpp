@@ -1,0 +1,157 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "fields.h"
+
+#include <pcl/common/io.h>
+#include <pcl/pcl_config.h>
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+namespace tool {
+namespace {
+
+/** Fields need not lie where their type may be read from. */
+template <typename T>
+double
+load(const std::uint8_t* bytes)
+{
+  T value;
+  std::memcpy(&value, bytes, sizeof value);
+  return static_cast<double>(value);
+}
+
+} // namespace
+
+std::size_t
+numberOfPoints(const pcl::PCLPointCloud2& cloud)
+{
+  return static_cast<std::size_t>(cloud.width) * cloud.height;
+}
+
+const pcl::PCLPointField*
+findField(const pcl::PCLPointCloud2& cloud, const std::string& name)
+{
+  for (const auto& field : cloud.fields)
+    if (field.name == name)
+      return &field;
+  return nullptr;
+}
+
+bool
+isFloatingPoint(const pcl::PCLPointField& field)
+{
+  return field.datatype == pcl::PCLPointField::FLOAT32 ||
+         field.datatype == pcl::PCLPointField::FLOAT64;
+}
+
+bool
+isPackedColour(const pcl::PCLPointField& field)
+{
+  return (field.name == "rgb" || field.name == "rgba") && sizeOf(field) == 4;
+}
+
+std::array<std::uint8_t, 4>
+getColour(const pcl::PCLPointField& field, const std::uint8_t* point)
+{
+  std::uint32_t colour;
+  std::memcpy(&colour, point + field.offset, sizeof colour);
+  return {static_cast<std::uint8_t>(colour >> 16),
+          static_cast<std::uint8_t>(colour >> 8), static_cast<std::uint8_t>(colour),
+          static_cast<std::uint8_t>(colour >> 24)};
+}
+
+bool
+isPadding(const pcl::PCLPointField& field)
+{
+  return field.name == "_";
+}
+
+std::size_t
+sizeOf(const pcl::PCLPointField& field)
+{
+  // A count of 0 stands for 1 in clouds from old files.
+  return pcl::getFieldSize(field.datatype) * std::max<std::size_t>(field.count, 1);
+}
+
+double
+getNumber(const pcl::PCLPointField& field,
+          const std::uint8_t* point,
+          std::size_t element)
+{
+  const std::uint8_t* bytes =
+      point + field.offset + element * pcl::getFieldSize(field.datatype);
+  switch (field.datatype) {
+  case pcl::PCLPointField::INT8:
+    return load<std::int8_t>(bytes);
+  case pcl::PCLPointField::UINT8:
+    return load<std::uint8_t>(bytes);
+  case pcl::PCLPointField::INT16:
+    return load<std::int16_t>(bytes);
+  case pcl::PCLPointField::UINT16:
+    return load<std::uint16_t>(bytes);
+  case pcl::PCLPointField::INT32:
+    return load<std::int32_t>(bytes);
+  case pcl::PCLPointField::UINT32:
+    return load<std::uint32_t>(bytes);
+  case pcl::PCLPointField::FLOAT32:
+    return load<float>(bytes);
+  case pcl::PCLPointField::FLOAT64:
+    return load<double>(bytes);
+#if PCL_VERSION_COMPARE(>=, 1, 13, 0)
+  case pcl::PCLPointField::INT64:
+    return load<std::int64_t>(bytes);
+  case pcl::PCLPointField::UINT64:
+    return load<std::uint64_t>(bytes);
+#endif
+  }
+  throw std::runtime_error("field '" + field.name + "' has an unknown type");
+}
+
+void
+setNumber(const pcl::PCLPointField& field, std::uint8_t* point, double value)
+{
+  if (field.datatype == pcl::PCLPointField::FLOAT32) {
+    const auto narrow = static_cast<float>(value);
+    std::memcpy(point + field.offset, &narrow, sizeof narrow);
+  }
+  else
+    std::memcpy(point + field.offset, &value, sizeof value);
+}
+
+void
+addField(pcl::PCLPointCloud2& cloud, const std::string& name, std::uint8_t datatype)
+{
+  pcl::PCLPointField field;
+  field.name = name;
+  field.datatype = datatype;
+  field.count = 1;
+  field.offset = cloud.point_step;
+  cloud.point_step += sizeOf(field);
+  cloud.fields.push_back(field);
+}
+
+void
+setNumberOfPoints(pcl::PCLPointCloud2& cloud, std::size_t points)
+{
+  cloud.height = 1;
+  cloud.width = points;
+  cloud.row_step = cloud.point_step * cloud.width;
+  cloud.data.assign(points * cloud.point_step, 0);
+}
+
+pcl::PCLPointCloud2
+cloudOfDoubles(const std::vector<double>& values, const std::vector<std::string>& names)
+{
+  pcl::PCLPointCloud2 cloud;
+  for (const auto& name : names)
+    addField(cloud, name, pcl::PCLPointField::FLOAT64);
+  setNumberOfPoints(cloud, values.size() / names.size());
+  std::memcpy(cloud.data.data(), values.data(), cloud.data.size());
+  return cloud;
+}
+
+} // namespace tool

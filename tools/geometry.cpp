@@ -1,0 +1,138 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "geometry.h"
+
+#include "fields.h"
+#include "vector_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace tool {
+namespace {
+
+bool
+isCoordinate(const pcl::PCLPointField& field)
+{
+  return field.name == "x" || field.name == "y" || field.name == "z";
+}
+
+} // namespace
+
+Points
+positionsOf(const Geometry& geometry)
+{
+  const auto& cloud = geometry.cloud;
+  const VectorField position(cloud, VectorField::POSITION);
+  Points points(numberOfPoints(cloud));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] = position.get(&cloud.data[i * cloud.point_step]);
+  return points;
+}
+
+Eigen::AlignedBox3d
+boundingBox(const Points& points)
+{
+  Eigen::AlignedBox3d box;
+  for (const auto& point : points)
+    if (point.allFinite())
+      box.extend(point);
+  return box;
+}
+
+double
+singlePrecisionError(const Eigen::AlignedBox3d& box)
+{
+  const double size = box.diagonal().norm();
+  const double farthest =
+      std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  // One position alone has no size to be coarse for.
+  return size > 0.0 ? std::numeric_limits<float>::epsilon() * farthest / size : 0.0;
+}
+
+bool
+singlePrecisionIsCoarse(const Eigen::AlignedBox3d& box)
+{
+  return singlePrecisionError(box) > 1e-5;
+}
+
+bool
+hasSinglePrecision(const Geometry& geometry)
+{
+  const auto& fields = geometry.cloud.fields;
+  return std::none_of(fields.begin(), fields.end(), [](const auto& field) {
+    return isCoordinate(field) && field.datatype != pcl::PCLPointField::FLOAT32;
+  });
+}
+
+void
+setCoordinateType(Geometry& geometry, std::uint8_t datatype)
+{
+  const pcl::PCLPointCloud2 old = std::move(geometry.cloud);
+  pcl::PCLPointCloud2 cloud;
+  cloud.header = old.header;
+  cloud.height = old.height;
+  cloud.width = old.width;
+  cloud.is_dense = old.is_dense;
+  cloud.fields = old.fields;
+  for (auto& field : cloud.fields) {
+    if (isCoordinate(field))
+      field.datatype = datatype;
+    field.offset = cloud.point_step;
+    cloud.point_step += sizeOf(field);
+  }
+  cloud.row_step = cloud.point_step * cloud.width;
+  cloud.data.resize(numberOfPoints(cloud) * cloud.point_step);
+
+  for (std::size_t i = 0; i < numberOfPoints(cloud); ++i) {
+    const std::uint8_t* from = &old.data[i * old.point_step];
+    std::uint8_t* to = &cloud.data[i * cloud.point_step];
+    for (std::size_t f = 0; f < cloud.fields.size(); ++f)
+      if (isCoordinate(cloud.fields[f]))
+        setNumber(cloud.fields[f], to, getNumber(old.fields[f], from));
+      else
+        std::memcpy(to + cloud.fields[f].offset, from + old.fields[f].offset,
+                    sizeOf(cloud.fields[f]));
+  }
+  geometry.cloud = std::move(cloud);
+}
+
+Geometry
+transformed(Geometry geometry, const Eigen::Matrix4d& similarity)
+{
+  const Eigen::Affine3d transform(similarity);
+  const Eigen::Matrix3d rotation =
+      transform.linear() / std::cbrt(transform.linear().determinant());
+
+  Points points = positionsOf(geometry);
+  for (auto& point : points)
+    if (point.allFinite())
+      point = transform * point;
+
+  if (!hasSinglePrecision(geometry) || singlePrecisionIsCoarse(boundingBox(points)))
+    setCoordinateType(geometry, pcl::PCLPointField::FLOAT64);
+
+  auto& cloud = geometry.cloud;
+  const VectorField position(cloud, VectorField::POSITION);
+  const VectorField normal(cloud, VectorField::NORMAL);
+  const bool has_normals = normal.isFloatingPoint();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::uint8_t* point = &cloud.data[i * cloud.point_step];
+    position.set(point, points[i]);
+    if (has_normals)
+      normal.set(point, rotation * normal.get(point));
+  }
+
+  const Eigen::Vector3d origin = geometry.sensor_origin.head<3>().cast<double>();
+  geometry.sensor_origin.head<3>() = (transform * origin).cast<float>();
+  geometry.sensor_orientation = Eigen::Quaternionf(
+      (rotation * geometry.sensor_orientation.toRotationMatrix().cast<double>())
+          .cast<float>());
+  return geometry;
+}
+
+} // namespace tool

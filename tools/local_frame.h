@@ -1,0 +1,26 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include "geometry.h"
+
+namespace tool {
+
+/** \brief The origin of a frame near a cloud, in which floats are as fine as can be.
+ * \param[in] points at least one of them finite
+ */
+Eigen::Vector3d
+localOrigin(const Points& points);
+
+/** \brief A transformation between two local frames as one between the frames that they
+ * lie in.
+ * \param[in] local maps the source's local frame to the target's
+ */
+Eigen::Matrix4d
+fromLocalFrames(const Eigen::Matrix4d& local,
+                const Eigen::Vector3d& source_origin,
+                const Eigen::Vector3d& target_origin);
+
+} // namespace tool

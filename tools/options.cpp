@@ -1,0 +1,235 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "options.h"
+
+#include <boost/lexical_cast/try_lexical_convert.hpp>
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace tool {
+namespace {
+
+namespace po = boost::program_options;
+
+/** Keeps Boost's own words about a value that is wrong away from ours. */
+class UsageError : public std::runtime_error {
+public:
+  UsageError(const std::string& option, const std::string& value, const char* remedy)
+  : std::runtime_error("--" + option + " " + value + ": " + remedy +
+                       "; --help shows all options")
+  {
+  }
+};
+
+/** Options as words; they are converted by number() below, whose messages say more. */
+po::options_description
+visibleOptions()
+{
+  po::options_description options("Options");
+  const auto word = [](const char* name) {
+    return po::value<std::string>()->value_name(name);
+  };
+  // clang-format off
+  options.add_options()
+    ("transform", word("FILE"), "write the transformation: 4x4 numbers, row by row")
+    ("report", word("FILE"), "write all results as JSON, also if not registered")
+    ("rigid", "the clouds have the same scale")
+    ("points", word("K"), "points that both clouds are simplified to (default 2000)")
+    ("angle-step", word("DEG"), "step of the rotations about x, y and z (default 30)")
+    ("rotations", word("SET"),
+     "rotations to try: euler (default), a grid of angles, or even:N, N evenly spread "
+     "ones")
+    ("density", word("KIND"),
+     "spread the simplified points by area: uniform (default), or as the cloud's own "
+     "points: paper")
+    ("device", word("NAME"),
+     "where to search: auto (default), the first OpenCL device if there is one, host, or "
+     "the OpenCL device whose name contains NAME")
+    ("list-devices", "list the OpenCL devices")
+    ("threads", word("N"), "threads on the CPU (default 0: as many as cores)")
+    ("samples", word("N"), "points that stand for a mesh (default 10000)")
+    ("quiet", "no output but files and errors")
+    ("version", "show the version")
+    ("help,h", "show this help");
+  // clang-format on
+  return options;
+}
+
+/** Read the number that an option has. */
+double
+number(const std::string& option,
+       const std::string& value,
+       double least,
+       double most,
+       const char* remedy)
+{
+  double number;
+  if (!boost::conversion::try_lexical_convert(value, number) ||
+      !(number >= least && number <= most))
+    throw UsageError(option, value, remedy);
+  return number;
+}
+
+/** Read the whole number that an option has. */
+unsigned int
+wholeNumber(const std::string& option,
+            const std::string& value,
+            double least,
+            double most,
+            const char* remedy)
+{
+  const double result = number(option, value, least, most, remedy);
+  if (result != std::floor(result))
+    throw UsageError(option, value, remedy);
+  return static_cast<unsigned int>(result);
+}
+
+/** Calls a function with the value of an option that was given. */
+template <typename Function>
+void
+ifGiven(const po::variables_map& values, const std::string& option, Function function)
+{
+  if (values.count(option))
+    function(values[option].as<std::string>());
+}
+
+/** The file that an option names; empty if it was not given. */
+std::string
+fileName(const po::variables_map& values, const std::string& option)
+{
+  std::string name;
+  ifGiven(values, option, [&](const auto& value) {
+    if (value.empty())
+      throw UsageError(option, "''", "name a file");
+    name = value;
+  });
+  return name;
+}
+
+pcl::kss::Settings
+settingsOf(const po::variables_map& values)
+{
+  pcl::kss::Settings settings;
+  settings.estimate_scale = values.count("rigid") == 0;
+  ifGiven(values, "points", [&](const auto& value) {
+    settings.sample_points =
+        wholeNumber("points", value, 20, 1e6, "use a whole number from 20 to 1000000");
+  });
+  ifGiven(values, "angle-step", [&](const auto& value) {
+    settings.angle_step =
+        number("angle-step", value, 3, 180, "use degrees from 3 to 180") * M_PI / 180.0;
+  });
+  ifGiven(values, "rotations", [&](const std::string& value) {
+    const char* remedy = "use euler or even:N, N a whole number from 1 to 100000";
+    if (value.compare(0, 5, "even:") == 0) {
+      settings.rotation_set = pcl::kss::RotationSet::EVEN;
+      settings.even_rotations =
+          wholeNumber("rotations", value.substr(5), 1, 1e5, remedy);
+    }
+    else if (value != "euler")
+      throw UsageError("rotations", value, remedy);
+  });
+  ifGiven(values, "density", [&](const auto& value) {
+    if (value != "uniform" && value != "paper")
+      throw UsageError("density", value, "use uniform or paper");
+    if (value == "paper")
+      settings.density = pcl::kss::Density::PAPER;
+  });
+  ifGiven(values, "device", [&](const auto& value) {
+    if (value.empty())
+      throw UsageError("device", "''", "use auto, host or a name of --list-devices");
+    settings.device = value;
+  });
+  ifGiven(values, "threads", [&](const auto& value) {
+    settings.threads = wholeNumber("threads", value, 0, 1024,
+                                   "use a whole number up to 1024; 0: all cores");
+  });
+  return settings;
+}
+
+} // namespace
+
+Options
+parseOptions(int argc, const char* const* argv)
+{
+  po::options_description all = visibleOptions();
+  all.add_options()("file", po::value<std::vector<std::string>>());
+  po::positional_options_description positional;
+  positional.add("file", -1);
+  // Abbreviations would change their meaning with every option that is added.
+  const int style =
+      po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+  po::variables_map values;
+  po::store(po::command_line_parser(argc, argv)
+                .options(all)
+                .positional(positional)
+                .style(style)
+                .run(),
+            values);
+
+  Options options;
+  if (values.count("help"))
+    options.action = Options::Action::SHOW_HELP;
+  else if (values.count("version"))
+    options.action = Options::Action::SHOW_VERSION;
+  else if (values.count("list-devices"))
+    options.action = Options::Action::LIST_DEVICES;
+  if (options.action != Options::Action::REGISTER)
+    return options;
+
+  std::vector<std::string> files;
+  if (values.count("file"))
+    files = values["file"].as<std::vector<std::string>>();
+  if (files.size() < 2 || files.size() > 3)
+    throw std::runtime_error("needs SOURCE, TARGET and perhaps ALIGNED, but got " +
+                             std::to_string(files.size()) +
+                             " files; --help shows an example");
+  if (std::count(files.begin(), files.end(), "") > 0)
+    throw std::runtime_error("a file name is empty; --help shows an example");
+  options.source = files[0];
+  options.target = files[1];
+  if (files.size() == 3)
+    options.aligned = files[2];
+  options.transform = fileName(values, "transform");
+  options.report = fileName(values, "report");
+  ifGiven(values, "samples", [&](const auto& value) {
+    options.samples = wholeNumber("samples", value, 20, 1e9,
+                                  "use a whole number from 20 to 1000000000");
+  });
+  options.quiet = values.count("quiet") > 0;
+  options.settings = settingsOf(values);
+  return options;
+}
+
+std::string
+helpText()
+{
+  std::ostringstream text;
+  text
+      << "Usage: pcl_kss_icp [OPTIONS] SOURCE TARGET [ALIGNED]\n"
+         "\n"
+         "Finds the rotation, translation and scale that place the point cloud SOURCE\n"
+         "upon TARGET, wherever they lie, and writes the placed SOURCE to ALIGNED.\n"
+         "\n"
+         "Files are PCD, PLY, OBJ, STL, OFF or columns of text (.xyz, .txt, .pts).\n"
+         "Meshes are registered by points spread over their faces. ALIGNED keeps the\n"
+         "fields and faces of SOURCE that its format can hold.\n"
+         "\n"
+      << visibleOptions()
+      << "\n"
+         "Exit status: 0 if registered; 1 if not (only the report is written); 2 if "
+         "the\n"
+         "command line or a file is wrong.\n"
+         "\n"
+         "Example:\n"
+         "  pcl_kss_icp scan.ply model.stl scan_on_model.ply --report report.json\n";
+  return text.str();
+}
+
+} // namespace tool

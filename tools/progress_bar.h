@@ -1,0 +1,30 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include <string>
+
+namespace tool {
+
+/** \brief A line on standard error that shows how far a stage of the work has come, and
+ * goes away in the end.
+ */
+class ProgressBar {
+public:
+  /** \brief Whether there is somebody to look at it. */
+  static bool
+  hasAudience();
+
+  ~ProgressBar();
+
+  /** \param[in] done the share of the stage that is done, in [0, 1] */
+  void
+  show(const std::string& stage, double done);
+
+private:
+  std::string shown_;
+};
+
+} // namespace tool

@@ -1,0 +1,82 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "registration.h"
+
+#include "local_frame.h"
+
+#include <pcl/registration/kss_icp.h>
+
+#include <chrono>
+
+namespace tool {
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Registration = pcl::KSSICP<pcl::PointXYZ, pcl::PointXYZ, double>;
+
+/** The finite points as floats, which PCL's point types hold, in a local frame. */
+Cloud::Ptr
+localCloud(const Points& points, const Eigen::Vector3d& origin)
+{
+  auto cloud = pcl::make_shared<Cloud>();
+  for (const auto& point : points) {
+    const Eigen::Vector3f local = (point - origin).cast<float>();
+    if (local.allFinite())
+      cloud->push_back({local.x(), local.y(), local.z()});
+  }
+  return cloud;
+}
+
+void
+configure(Registration& registration, const pcl::kss::Settings& settings)
+{
+  registration.setNumberOfSamplePoints(settings.sample_points);
+  registration.setDensity(settings.density);
+  registration.setRotationSet(settings.rotation_set);
+  registration.setAngleStep(settings.angle_step);
+  registration.setNumberOfEvenRotations(settings.even_rotations);
+  registration.setScaleEstimation(settings.estimate_scale);
+  registration.setDevice(settings.device);
+  registration.setNumberOfThreads(settings.threads);
+  registration.setProgressCallback(settings.progress);
+}
+
+} // namespace
+
+Result
+registerClouds(const Points& source,
+               const Points& target,
+               const pcl::kss::Settings& settings)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const Eigen::Vector3d source_origin = localOrigin(source);
+  const Eigen::Vector3d target_origin = localOrigin(target);
+
+  Registration registration;
+  configure(registration, settings);
+  registration.setInputSource(localCloud(source, source_origin));
+  registration.setInputTarget(localCloud(target, target_origin));
+  Cloud aligned;
+  registration.align(aligned);
+
+  Result result;
+  result.converged = registration.hasConverged();
+  result.reason = registration.getFailureReason();
+  for (const auto& pose : registration.getAlternatives())
+    result.poses.push_back(
+        {fromLocalFrames(pose.transformation, source_origin, target_origin),
+         pose.energy});
+  result.scale = registration.getScale();
+  result.residual = registration.getResidual();
+  result.fitness = registration.getFitnessScore();
+  result.device = registration.getDeviceName();
+  result.stages = registration.getStageSeconds();
+  const std::chrono::duration<double> seconds =
+      std::chrono::steady_clock::now() - start;
+  result.seconds = seconds.count();
+  return result;
+}
+
+} // namespace tool

@@ -1,0 +1,50 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include "geometry.h"
+
+#include <pcl/registration/kss/settings.h>
+#include <pcl/registration/kss/stage_seconds.h>
+
+#include <string>
+#include <vector>
+
+namespace tool {
+
+/** \brief A pose with its energy. */
+struct Pose {
+  Eigen::Matrix4d transformation;
+  double energy;
+};
+
+/** \brief What a registration found, in the coordinates of the files. */
+struct Result {
+  bool converged;
+  /** \brief Why it has not converged. */
+  std::string reason;
+  /** \brief All distinct poses by rising energy, the first one the result; none where
+   * there is none. */
+  std::vector<Pose> poses;
+  double scale;
+  /** \brief The mean distance of the clouds in sampling distances. */
+  double residual;
+  /** \brief The mean squared distance of the source's points from the target. */
+  double fitness;
+  std::string device;
+  std::vector<pcl::kss::StageSeconds> stages;
+  double seconds;
+};
+
+/** \brief Register two clouds.
+ * \param[in] source at least one point finite
+ * \param[in] target at least one point finite
+ */
+Result
+registerClouds(const Points& source,
+               const Points& target,
+               const pcl::kss::Settings& settings);
+
+} // namespace tool
