@@ -49,8 +49,8 @@ visibleOptions()
      "spread the simplified points by area: uniform (default), or as the cloud's own "
      "points: paper")
     ("device", word("NAME"),
-     "where to search: auto (default), the first OpenCL device if there is one, host, or "
-     "the OpenCL device whose name contains NAME")
+     "where to search: auto (default), the first OpenCL device if there is one, host, "
+     "or the OpenCL device whose name contains NAME")
     ("list-devices", "list the OpenCL devices")
     ("threads", word("N"), "threads on the CPU (default 0: as many as cores)")
     ("samples", word("N"), "points that stand for a mesh (default 10000)")
