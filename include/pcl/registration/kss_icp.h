@@ -66,7 +66,8 @@ namespace pcl {
  * a callback.
  *
  * \tparam PointSource any point type with x, y and z
- * \tparam PointTarget any point type with x, y and z
+ * \tparam PointTarget the same type: IterativeClosestPoint of PCL 1.13 does not compile
+ * for two different ones
  * \tparam Scalar float or double: the type of the transformation
  * \ingroup registration
  */
