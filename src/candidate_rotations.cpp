@@ -31,8 +31,8 @@ EulerRotations::neighbours(std::size_t index, unsigned int kernel) const
   const int x = index / (steps_ * steps_);
   const int y = index / steps_ % steps_;
   const int z = index % steps_;
-  // a kernel wider than the circle would meet itself
-  const int width = std::min<int>(kernel, steps_);
+  // odd, so that it has a middle; wider than the circle it would meet itself
+  const int width = std::min<int>(kernel | 1, steps_);
   const auto around = [this](int step) { return (step + steps_) % steps_; };
   std::vector<std::size_t> found;
   for (int dx = -(width / 2); dx < width - width / 2; ++dx)
@@ -66,7 +66,7 @@ EvenRotations::neighbours(std::size_t index, unsigned int kernel) const
 {
   // SO(3) has the volume 8 pi^2 in radians cubed: a step is the edge of a cube of it.
   const double step = std::cbrt(8.0 * M_PI * M_PI / rotations_.size());
-  const double radius = std::min(M_PI, kernel / 2 * step);
+  const double radius = std::min(M_PI, 0.5 * (kernel - 1.0) * step);
   const double smallest_cosine = std::cos(0.5 * radius);
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < rotations_.size(); ++i)

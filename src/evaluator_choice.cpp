@@ -3,21 +3,41 @@
  */
 
 #include <pcl/console/print.h>
-#include <pcl/registration/kss/hausdorff.h>
+#include <pcl/registration/kss/distances.h>
 #include <pcl/registration/kss/opencl_devices.h>
 
 #include <atomic>
 
 namespace pcl {
 namespace kss {
+namespace {
 
-std::unique_ptr<HausdorffEvaluator>
+std::unique_ptr<DistanceEvaluator>
+onHost(const Settings& settings)
+{
+  return settings.search == Search::LOOK_UP
+             ? makeHostLookUpEvaluator(settings.threads, settings.search_points)
+             : makeHostEvaluator(settings.threads);
+}
+
+std::unique_ptr<DistanceEvaluator>
+onDevice(const Settings& settings)
+{
+  return settings.search == Search::LOOK_UP
+             ? makeOpenCLLookUpEvaluator(settings.device, settings.threads,
+                                         settings.search_points)
+             : makeOpenCLEvaluator(settings.device, settings.threads);
+}
+
+} // namespace
+
+std::unique_ptr<DistanceEvaluator>
 makeEvaluator(const Settings& settings)
 {
   if (settings.device == "host")
-    return makeHostEvaluator(settings.threads);
+    return onHost(settings);
   try {
-    return makeOpenCLEvaluator(settings.device, settings.threads);
+    return onDevice(settings);
   }
   catch (const DeviceError& error) {
     if (settings.device != "auto")
@@ -26,7 +46,7 @@ makeEvaluator(const Settings& settings)
     if (!warned.exchange(true))
       PCL_WARN("[pcl::KSSICP] %s The search runs on the host instead, more slowly.\n",
                error.what());
-    return makeHostEvaluator(settings.threads);
+    return onHost(settings);
   }
 }
 

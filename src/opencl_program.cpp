@@ -117,7 +117,8 @@ OpenCLProgram::OpenCLProgram(const cl::Device& device, const std::string& name)
     // A CPU fills its vectors within a work-item, and a group per candidate spreads the
     // work over its cores; a GPU fills its units with work-items.
     group_ = isOfType(device_, CL_DEVICE_TYPE_CPU) ? 1 : 64;
-    program_ = cl::Program(context_, kernels::hausdorff);
+    program_ =
+        cl::Program(context_, std::string(kernels::distances) + kernels::look_ups);
     try {
       program_.build({device_}, "-cl-std=CL1.2");
     }

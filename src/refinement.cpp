@@ -8,42 +8,25 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl {
 namespace kss {
 namespace {
 
-PointXYZ
-pointOf(const Eigen::Vector3f& p)
-{
-  return {p.x(), p.y(), p.z()};
-}
-
-/** A tree over the points in their order. */
-search::KdTree<PointXYZ>
-treeOf(const Points& points)
-{
-  const auto cloud = pcl::make_shared<PointCloud<PointXYZ>>();
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    cloud->push_back(pointOf(points.col(i)));
-  search::KdTree<PointXYZ> tree(false);
-  tree.setInputCloud(cloud);
-  return tree;
-}
-
-/** The sums over correspondences that a similarity follows from. */
+/** The sums over weighted correspondences that a similarity follows from. */
 class Procrustes {
 public:
   void
-  add(const Eigen::Vector3d& source, const Eigen::Vector3d& target)
+  add(const Eigen::Vector3d& source, const Eigen::Vector3d& target, double weight)
   {
-    ++n_;
-    source_ += source;
-    target_ += target;
-    product_ += target * source.transpose();
-    source_squared_ += source.squaredNorm();
-    target_squared_ += target.squaredNorm();
+    n_ += weight;
+    source_ += weight * source;
+    target_ += weight * target;
+    product_ += weight * target * source.transpose();
+    source_squared_ += weight * source.squaredNorm();
+    target_squared_ += weight * target.squaredNorm();
   }
 
   /** As much larger as the target points are spread wider: Horn's symmetric scale. */
@@ -74,7 +57,7 @@ public:
   }
 
 private:
-  double n_ = 0.0;
+  double n_ = 0.0; // the sum of the weights
   Eigen::Vector3d source_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d target_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d product_ = Eigen::Matrix3d::Zero();
@@ -82,58 +65,75 @@ private:
   double target_squared_ = 0.0;
 };
 
-/** Every stride-th point, placed by a similarity, with its nearest point in the tree:
- * found(index, nearest) for each. */
+/** The first points, each with its nearest one once it has been placed:
+ * found(point, nearest, squared distance). */
 template <typename Found>
 void
-forNearest(const Points& points,
-           Eigen::Index stride,
-           const Eigen::Matrix4d& placement,
-           const search::KdTree<PointXYZ>& tree,
+forNearest(const Points& probes,
+           Eigen::Index count,
+           const Eigen::Affine3f& placement,
+           const NearestPoints& others,
+           bool exact,
            const Found& found)
 {
-  const Eigen::Affine3f place(placement.cast<float>());
-  Indices index(1);
-  std::vector<float> squared(1);
-  for (Eigen::Index i = 0; i < points.cols(); i += stride) {
-    tree.nearestKSearch(pointOf(place * points.col(i)), 1, index, squared);
-    found(i, index[0]);
+  for (Eigen::Index i = 0; i < std::min(count, probes.cols()); ++i) {
+    float squared;
+    const Eigen::Vector3f placed = placement * probes.col(i);
+    const int nearest =
+        exact ? others.nearest(placed, squared) : others.near(placed, squared);
+    found(probes.col(i).cast<double>(), others.points().col(nearest).cast<double>(),
+          squared);
   }
 }
 
 } // namespace
 
-Refinement::Refinement(const Points& source, const Points& target)
-: source_(source)
+Refinement::Refinement(const Points& source_probes,
+                       const Points& target_probes,
+                       const NearestPoints& source,
+                       const NearestPoints& target,
+                       const ScaleRange& scales)
+: source_probes_(source_probes)
+, target_probes_(target_probes)
+, source_(source)
 , target_(target)
-, source_tree_(treeOf(source))
-, target_tree_(treeOf(target))
+, scales_(scales)
 {
 }
 
 Eigen::Matrix4d
-Refinement::refine(const Eigen::Matrix4d& initial,
-                   bool estimate_scale,
-                   Effort effort) const
+Refinement::refine(const Eigen::Matrix4d& initial, const Effort& effort) const
 {
-  const auto stride = [&](const Points& points) {
-    const Eigen::Index wanted = effort.points > 0 ? effort.points : points.cols();
-    return std::max<Eigen::Index>(1, points.cols() / wanted);
-  };
   Eigen::Matrix4d pose = initial;
-  const double known_scale = scaleOf(initial);
-  for (unsigned int iteration = 0; iteration < effort.iterations; ++iteration) {
+  const int falling = std::max(1, effort.iterations / 2);
+  for (int iteration = 0; iteration < effort.iterations; ++iteration) {
+    const double fallen = std::min(1.0, static_cast<double>(iteration) / falling);
+    const double reach =
+        effort.widest * std::pow(effort.narrowest / effort.widest, fallen);
+    const auto weight = [&](double squared) {
+      const double w = reach * reach / (reach * reach + squared);
+      return w * w;
+    };
     Procrustes pairs;
-    forNearest(source_, stride(source_), pose, target_tree_, [&](int s, int t) {
-      pairs.add(source_.col(s).cast<double>(), target_.col(t).cast<double>());
-    });
-    forNearest(
-        target_, stride(target_), pose.inverse(), source_tree_, [&](int t, int s) {
-          pairs.add(source_.col(s).cast<double>(), target_.col(t).cast<double>());
-        });
-    const double scale = estimate_scale ? pairs.symmetricScale() : known_scale;
-    const Eigen::Matrix4d next = pairs.similarity(scale);
-    const bool settled = (next - pose).cwiseAbs().maxCoeff() < effort.tolerance;
+    const Eigen::Affine3f placement(pose.cast<float>());
+    const double scale = scaleOf(pose);
+    forNearest(source_probes_, effort.points, placement, target_, effort.exact,
+               [&](const auto& source, const auto& target, double squared) {
+                 pairs.add(source, target, weight(squared));
+               });
+    forNearest(target_probes_, effort.points, placement.inverse(), source_,
+               effort.exact,
+               [&](const auto& target, const auto& source, double squared) {
+                 pairs.add(source, target, weight(scale * scale * squared));
+               });
+    const double estimate = scales_.smallest < scales_.largest
+                                ? scales_.clamp(pairs.symmetricScale())
+                                : scale;
+    const Eigen::Matrix4d next = pairs.similarity(estimate);
+    if (!next.allFinite())
+      break;
+    const bool settled =
+        iteration > falling && (next - pose).cwiseAbs().maxCoeff() < 1e-5;
     pose = next;
     if (settled)
       break;

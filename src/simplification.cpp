@@ -219,32 +219,42 @@ take(const Points& cloud, const std::vector<int>& indices)
   return taken;
 }
 
-/** One point for each of several times k cells, which is as much as an even sampling by
- * area can use: it makes the rest of the work independent of the cloud's size. */
+/** The first point of each cell, of cells just large enough for about so many points to
+ * come out; more than \a least and, unless a point far away from all others makes all
+ * cells too large, fewer than \a most. */
+std::vector<int>
+onePerCell(const Points& cloud, std::size_t least, std::size_t most)
+{
+  // The points of a surface grow with the inverse square of the edge; of a line or a
+  // filled body a little otherwise, hence a few rounds.
+  const float aim = std::sqrt(static_cast<float>(least) * most);
+  float edge = longestEdge(cloud) / std::sqrt(aim);
+  std::vector<int> kept;
+  for (int round = 0; round < 8; ++round) {
+    edge = std::max(edge, longestEdge(cloud) / (1 << 20));
+    const Cells cells(cloud, edge);
+    std::unordered_map<std::uint64_t, int> first;
+    first.reserve(2 * most);
+    kept.clear();
+    for (int i = 0; i < cloud.cols(); ++i)
+      if (first.emplace(keyOf(cells.of(cloud.col(i))), i).second)
+        kept.push_back(i);
+    if (kept.size() >= least && kept.size() <= most)
+      break;
+    edge *= std::sqrt(static_cast<float>(kept.size()) / aim);
+  }
+  return kept;
+}
+
+/** Several times k points, which is as much as an even sampling by area can use: it
+ * makes the rest of the work independent of the cloud's size. */
 Points
 thin(const Points& cloud, unsigned int k)
 {
   const std::size_t wanted = 8 * static_cast<std::size_t>(k);
   if (static_cast<std::size_t>(cloud.cols()) <= 2 * wanted)
     return cloud;
-  // The points of a surface grow with the inverse square of the edge; of a line or a
-  // filled body a little otherwise, hence a few rounds.
-  float edge = longestEdge(cloud) / std::sqrt(static_cast<float>(wanted));
-  std::vector<int> kept;
-  for (int round = 0; round < 6; ++round) {
-    edge = std::max(edge, longestEdge(cloud) / (1 << 20));
-    const Cells cells(cloud, edge);
-    std::unordered_map<std::uint64_t, int> first;
-    first.reserve(4 * wanted);
-    kept.clear();
-    for (int i = 0; i < cloud.cols(); ++i)
-      if (first.emplace(keyOf(cells.of(cloud.col(i))), i).second)
-        kept.push_back(i);
-    if (kept.size() >= wanted && kept.size() <= 3 * wanted)
-      break;
-    edge *= std::sqrt(static_cast<float>(kept.size()) / (1.5f * wanted));
-  }
-  // a point far away from all others can make the smallest cells too large
+  const std::vector<int> kept = onePerCell(cloud, wanted, 3 * wanted);
   return kept.size() < wanted ? cloud : take(cloud, kept);
 }
 
@@ -351,6 +361,34 @@ simplify(const Points& cloud, unsigned int k, Density density, unsigned int thre
   for (const Voxel& voxel : rounds.voxels())
     indices.insert(indices.end(), voxel.samples.begin(), voxel.samples.end());
   return take(cloud, indices);
+}
+
+Points
+thinned(const Points& cloud, unsigned int most)
+{
+  if (cloud.cols() <= most)
+    return cloud;
+  const Points rest = take(cloud, onePerCell(cloud, most / 2, most));
+  return rest.cols() <= most ? rest : simplify(rest, most, Density::UNIFORM, 1);
+}
+
+Points
+inFarthestOrder(const Points& cloud)
+{
+  const Eigen::Vector3f middle = cloud.rowwise().mean();
+  Eigen::Index next;
+  (cloud.colwise() - middle).colwise().squaredNorm().minCoeff(&next);
+  Eigen::RowVectorXf squared =
+      Eigen::RowVectorXf::Constant(cloud.cols(), std::numeric_limits<float>::max());
+  Points ordered(3, cloud.cols());
+  for (Eigen::Index i = 0; i < cloud.cols(); ++i) {
+    const Eigen::Vector3f point = cloud.col(next);
+    ordered.col(i) = point;
+    squared = squared.cwiseMin((cloud.colwise() - point).colwise().squaredNorm());
+    squared[next] = -1.0f; // taken, which a copy of it is not
+    squared.maxCoeff(&next);
+  }
+  return ordered;
 }
 
 } // namespace kss

@@ -7,6 +7,7 @@
 #include <pcl/point_types.h>
 #include <pcl/registration/icp.h>
 #include <pcl/registration/kss/alignment.h>
+#include <pcl/registration/kss/confidence.h>
 #include <pcl/registration/kss/settings.h>
 
 #include <functional>
@@ -22,11 +23,13 @@ namespace pcl {
  * guess.
  *
  * Both clouds are simplified to k uniform points and brought to Kendall's pre-shape
- * space; the Hausdorff distances of all candidate rotations are computed on an OpenCL
- * device; the distinct local minima are refined; and IterativeClosestPoint, governed by
- * the settings inherited from it, finishes on the clouds themselves. The method is
- * Algorithm 1 of C. Lv, W. Lin, B. Zhao, "KSS-ICP: Point Cloud Registration based on
- * Kendall Shape Space", IEEE Transactions on Image Processing, 2023.
+ * space; the distances of all candidates, rotations times centres times scales, are
+ * computed on an OpenCL device; the local minima are refined; and
+ * IterativeClosestPoint, governed by the settings inherited from it, finishes on the
+ * clouds themselves. Either cloud may be incomplete, or both (setMode); stray points
+ * are left out and heavy noise is averaged in the search. The method is Algorithm 1 of
+ * C. Lv, W. Lin, B. Zhao, "KSS-ICP: Point Cloud Registration based on Kendall Shape
+ * Space", IEEE Transactions on Image Processing, 2023.
  *
  * \code
  * pcl::KSSICP<pcl::PointXYZ, pcl::PointXYZ> registration;
@@ -47,13 +50,16 @@ namespace pcl {
  * meaning, with these defaults of KSSICP's own: at most 300 iterations
  * (setMaximumIterations); a relative change of the mean squared error below 1e-5
  * (setEuclideanFitnessEpsilon) or an unchanged transformation (setTransformationEpsilon
- * 0) ends it: both are free of units; no limit on correspondence distance; a run that
+ * 0) ends it: both are free of units; a run that
  * still moves at the iteration limit has not converged
  * (getConvergeCriteria()->setFailureAfterMaximumIterations(false) restores ICP's
- * reading). setRANSACIterations() and setRANSACOutlierRejectionThreshold() have no
- * effect, as in IterativeClosestPoint. setTransformationEstimation() may change the
- * scale of the result; the default one is rigid and keeps the scale that the search
- * found.
+ * reading). Correspondences longer than a few point spacings are left out, since one of
+ * the points has no counterpart, unless the mode is GLOBAL_GLOBAL;
+ * setMaxCorrespondenceDistance() can narrow that. Where that ICP would lessen the
+ * overlap, under heavy noise, the pose that it started from is the result.
+ * setRANSACIterations() and setRANSACOutlierRejectionThreshold() have no effect, as in
+ * IterativeClosestPoint. setTransformationEstimation() may change the scale of the
+ * result; the default one is rigid and keeps the scale that the search found.
  *
  * <b>What is mended against IterativeClosestPoint of PCL 1.13</b>: indices are
  * respected; normals take the pure rotation; points that are not finite are skipped and
@@ -146,6 +152,53 @@ public:
   registerVisualizationCallback(
       std::function<UpdateVisualizerCallbackSignature>& callback);
 
+  /** \brief Set everything about the search at once; values that a setter would refuse
+   * are refused here, too.
+   *
+   * setSettings(kss::paperSettings(getSettings())) is the paper's own method.
+   */
+  void
+  setSettings(const kss::Settings& settings);
+
+  /** \brief Get everything about the search. */
+  const kss::Settings&
+  getSettings() const
+  {
+    return settings_;
+  }
+
+  /** \brief Set which parts of the object the clouds show (default: AUTOMATIC, which
+   * tries all and takes the best).
+   */
+  void
+  setMode(kss::Mode mode)
+  {
+    settings_.mode = mode;
+  }
+
+  /** \brief Get which parts of the object the clouds were said to show. */
+  kss::Mode
+  getMode() const
+  {
+    return settings_.mode;
+  }
+
+  /** \brief Set whether stray points are left out and heavy noise is averaged in the
+   * search (default: true). The final ICP always gets the clouds as they are.
+   */
+  void
+  setCleaning(bool clean)
+  {
+    settings_.clean = clean;
+  }
+
+  /** \brief Get whether the clouds are cleaned for the search. */
+  bool
+  getCleaning() const
+  {
+    return settings_.clean;
+  }
+
   /** \brief Set the number of points k that both clouds are simplified to (default
    * 2000). It shrinks by itself for clouds too small to be evened out at k points.
    * \param[in] points at least 20
@@ -174,7 +227,7 @@ public:
     return settings_.density;
   }
 
-  /** \brief Set which rotations are tried (default: the paper's Euler grid). */
+  /** \brief Set which rotations are tried (default: evenly spread ones). */
   void
   setRotationSet(kss::RotationSet set)
   {
@@ -215,9 +268,10 @@ public:
     return settings_.even_rotations;
   }
 
-  /** \brief Set the edge of the kernel in which a local minimum is the smallest
-   * (default 5, for 5x5x5). In the even set the kernel is a ball on SO(3) of as many
-   * steps across. \param[in] edge odd, at least 3
+  /** \brief Set the edge of the kernel of rotations in which a local minimum is the
+   * smallest (default 3). In the even set the kernel is a ball on SO(3) as wide as so
+   * many rotations; in the Euler grid an even number counts as the next odd one.
+   * \param[in] edge at least 3
    */
   void
   setLocalMinimumKernel(unsigned int edge);
@@ -229,11 +283,11 @@ public:
     return settings_.local_minimum_kernel;
   }
 
-  /** \brief Set Q_the: with a final energy above it, the other local minima are refined
-   * too (default 0.001).
-   * \param[in] threshold a Hausdorff distance as a fraction of the target's root mean
-   * square radius; at least 0. The sampling alone exceeds the default, so that the
-   * additional process practically always runs.
+  /** \brief Set Q_the: with an energy above it after ICP, the other local minima are
+   * refined too. The default 0 refines them always; the paper's 0.001, in its units, is
+   * below what the sampling alone causes.
+   * \param[in] threshold the energy, as a fraction of the target's root mean square
+   * radius; at least 0
    */
   void
   setAdditionalProcessThreshold(double threshold);
@@ -259,6 +313,27 @@ public:
   getScaleEstimation() const
   {
     return settings_.estimate_scale;
+  }
+
+  /** \brief Set the bounds of the scale where it is estimated (default: none).
+   * \param[in] smallest positive, or 0 for no bound
+   * \param[in] largest at least \a smallest; may be infinite
+   */
+  void
+  setScaleRange(double smallest, double largest);
+
+  /** \brief Get the smallest scale that the result may have. */
+  double
+  getSmallestScale() const
+  {
+    return settings_.smallest_scale;
+  }
+
+  /** \brief Get the largest scale that the result may have. */
+  double
+  getLargestScale() const
+  {
+    return settings_.largest_scale;
   }
 
   /** \brief Set where the search runs (default "auto").
@@ -296,20 +371,17 @@ public:
     return settings_.threads;
   }
 
-  /** \brief Set how far the aligned clouds may lie apart for hasConverged(): the mean
-   * distance between them, both ways, as a multiple of the sampling distance (default
-   * 0.75). Two samplings of one surface come out near 0.5, or 0.6 where the noise is
-   * larger than the sampling distance, whatever the shape.
-   * \param[in] multiple positive
+  /** \brief Set the confidence from which on hasConverged() is true (default 0.5).
+   * \param[in] confidence in [0, 1]
    */
   void
-  setMaximumResidual(double multiple);
+  setMinimumConfidence(double confidence);
 
-  /** \brief Get how far the aligned clouds may lie apart for hasConverged(). */
+  /** \brief Get the confidence from which on hasConverged() is true. */
   double
-  getMaximumResidual() const
+  getMinimumConfidence() const
   {
-    return maximum_residual_;
+    return minimum_confidence_;
   }
 
   /** \brief Set a function that is told how far align() has come; may be empty. */
@@ -323,24 +395,42 @@ public:
   double
   getScale() const;
 
-  /** \brief Get the energy (e9) of the final transformation: the Hausdorff distance of
-   * the simplified clouds as a fraction of the target's root mean square radius. NaN
-   * before the first align() and after a failure.
+  /** \brief Get how much of the clouds lies on each other at the final transformation;
+   * zeros before the first align() and after a failure.
    */
-  double
-  getFinalEnergy() const;
-
-  /** \brief Get the residual of the final transformation: the mean distance between the
-   * aligned clouds, both ways, as a multiple of the sampling distance; NaN as above.
-   */
-  double
-  getResidual() const
+  kss::Overlap
+  getOverlap() const
   {
-    return residual_;
+    return alternatives_.empty() ? kss::Overlap() : alternatives_.front().overlap;
+  }
+
+  /** \brief Get which parts of the object the clouds turned out to show: the mode that
+   * was set, or, where it was AUTOMATIC, the one that the overlap speaks for.
+   */
+  kss::Mode
+  getFoundMode() const;
+
+  /** \brief Get how sure it is that the clouds show one object, and that the pose is
+   * right or an equivalent one: in [0, 1]; 0 before the first align() and after a
+   * failure.
+   */
+  double
+  getConfidence() const
+  {
+    return kss::confidenceOf(getOverlap());
+  }
+
+  /** \brief Get whether another pose is about as good as the result, as for a symmetric
+   * object: it is the next of getAlternatives().
+   */
+  bool
+  isAmbiguous() const
+  {
+    return kss::isAmbiguous(alternatives_);
   }
 
   /** \brief Get the distinct poses that competed: the final transformation, then the
-   * others by rising energy. A symmetric object has several of nearly equal energy.
+   * others by falling score of their overlap.
    */
   const kss::Alternatives&
   getAlternatives() const
@@ -374,6 +464,7 @@ public:
 
 protected:
   using Base::converged_;
+  using Base::corr_dist_threshold_;
   using Base::correspondences_;
   using Base::final_transformation_;
   using Base::indices_;
@@ -447,8 +538,7 @@ private:
           const PointCloudSourceConstPtr& source,
           const Eigen::Matrix4d& pose);
 
-  /** \brief Hand off the best by energy until the best has been handed off, and put it
-   * first. */
+  /** \brief Hand off the best until the best has been handed off, and put it first. */
   void
   settle(kss::Alignment& alignment,
          const PointCloudSourceConstPtr& source,
@@ -471,11 +561,10 @@ private:
   giveUp(const Matrix4& guess, const std::string& reason);
 
   kss::Settings settings_;
-  double maximum_residual_ = 0.75;
+  double minimum_confidence_ = 0.5;
   bool source_is_output_ = false;
 
   kss::Alternatives alternatives_;
-  double residual_ = std::numeric_limits<double>::quiet_NaN();
   std::vector<kss::StageSeconds> stage_seconds_;
   std::string device_name_;
   std::string failure_reason_;

@@ -20,6 +20,13 @@ namespace kss {
  * ones: then the next one gets its chance, so often at most. */
 constexpr int most_hand_offs = 3;
 
+/** \brief Correspondences of the final ICP are no longer than so many spacings. */
+constexpr double hand_off_reach = 4.0;
+
+/** \brief The share of the score that a pose may lose to the final ICP: what chance
+ * causes. */
+constexpr double hand_off_loss = 0.01;
+
 } // namespace kss
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -188,7 +195,6 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
                                              contender.pose.transformation);
                      }))
       alternatives_.push_back(contender.pose);
-  residual_ = alignment.residual(alternatives_.front().transformation);
   report("hand-off", 1.0);
   alignment.clock().lap("hand-off");
   stage_seconds_ = alignment.clock().stages();
@@ -204,14 +210,15 @@ KSSICP<PointSource, PointTarget, Scalar>::settle(kss::Alignment& alignment,
   const auto rank = [&] {
     std::stable_sort(contenders.begin(), contenders.end(),
                      [](const Contender& a, const Contender& b) {
-                       return a.pose.energy < b.pose.energy;
+                       return a.pose.overlap.score > b.pose.overlap.score;
                      });
   };
   rank();
   for (int runs = 0; runs < kss::most_hand_offs && !contenders.front().run; ++runs) {
     const Eigen::Matrix4d pose = contenders.front().pose.transformation;
     // where nothing fits, one run is enough to say so
-    if (runs > 0 && alignment.residual(pose) > maximum_residual_)
+    if (runs > 0 &&
+        kss::confidenceOf(contenders.front().pose.overlap) < minimum_confidence_)
       break;
     contenders.front() = handOff(alignment, source, pose);
     rank();
@@ -235,17 +242,34 @@ KSSICP<PointSource, PointTarget, Scalar>::handOff(
 
   // ICP reads input_, all of it; it gets the finite, indexed points, for so long
   struct Restore {
-    PointCloudSourceConstPtr& input;
-    PointCloudSourceConstPtr value;
-    ~Restore() { input = value; }
-  } restore{input_, input_};
+    KSSICP& icp;
+    PointCloudSourceConstPtr input;
+    double reach;
+    ~Restore()
+    {
+      icp.input_ = input;
+      icp.corr_dist_threshold_ = reach;
+    }
+  } restore{*this, input_, corr_dist_threshold_};
   input_ = source;
+  // a point farther away than a few spacings has no counterpart
+  if (settings_.mode != kss::Mode::GLOBAL_GLOBAL)
+    corr_dist_threshold_ =
+        std::min(corr_dist_threshold_, kss::hand_off_reach * alignment.spacing(pose));
   PointCloudSource unused;
   Base::computeTransformation(unused, pose.cast<Scalar>());
-  return {alignment.judge(final_transformation_.template cast<double>()),
-          std::make_shared<HandOff>(HandOff{final_transformation_, transformation_,
-                                            previous_transformation_, nr_iterations_,
-                                            converged_, *correspondences_})};
+  HandOff run{final_transformation_, transformation_, previous_transformation_,
+              nr_iterations_,        converged_,      *correspondences_};
+
+  // nearest points lead astray where noise is heavy
+  const Alternative before = alignment.judge(pose);
+  Alternative after = alignment.judge(final_transformation_.template cast<double>());
+  if (after.overlap.score < (1.0 - kss::hand_off_loss) * before.overlap.score) {
+    after = before;
+    run.transformation = pose.cast<Scalar>();
+    run.converged = true;
+  }
+  return {after, std::make_shared<HandOff>(run)};
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -288,11 +312,12 @@ KSSICP<PointSource, PointTarget, Scalar>::judgeResult()
   if (!converged_)
     failure_reason_ = "ICP still moved after " + std::to_string(nr_iterations_) +
                       " iterations; allow more of them (setMaximumIterations).";
-  else if (!(residual_ <= maximum_residual_))
-    failure_reason_ = "The clouds do not fit: at the best pose they lie " +
-                      std::to_string(residual_) + " sampling distances apart, and " +
-                      std::to_string(maximum_residual_) +
-                      " are allowed (setMaximumResidual).";
+  else if (getConfidence() < minimum_confidence_)
+    failure_reason_ = "The clouds do not fit: at the best pose " +
+                      kss::percent(getOverlap().source) + " of the source and " +
+                      kss::percent(getOverlap().target) +
+                      " of the target lie on the other cloud, too little or too "
+                      "loosely; do they show the same object?";
   converged_ = failure_reason_.empty();
   if (!converged_)
     PCL_WARN("[pcl::%s] %s\n", getClassName().c_str(), failure_reason_.c_str());
@@ -323,7 +348,6 @@ KSSICP<PointSource, PointTarget, Scalar>::giveUp(const Matrix4& guess,
   alternatives_.clear();
   stage_seconds_.clear();
   device_name_.clear();
-  residual_ = std::numeric_limits<double>::quiet_NaN();
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -396,11 +420,12 @@ KSSICP<PointSource, PointTarget, Scalar>::getScale() const
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
-double
-KSSICP<PointSource, PointTarget, Scalar>::getFinalEnergy() const
+kss::Mode
+KSSICP<PointSource, PointTarget, Scalar>::getFoundMode() const
 {
-  return alternatives_.empty() ? std::numeric_limits<double>::quiet_NaN()
-                               : alternatives_.front().energy;
+  return settings_.mode == kss::Mode::AUTOMATIC && !alternatives_.empty()
+             ? kss::modeOf(getOverlap())
+             : settings_.mode;
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -446,8 +471,8 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 void
 KSSICP<PointSource, PointTarget, Scalar>::setLocalMinimumKernel(unsigned int edge)
 {
-  set(settings_.local_minimum_kernel, edge, edge >= 3 && edge % 2 == 1,
-      "setLocalMinimumKernel] The edge must be odd and at least 3.");
+  set(settings_.local_minimum_kernel, edge, edge >= 3,
+      "setLocalMinimumKernel] The edge must be at least 3.");
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -461,10 +486,45 @@ KSSICP<PointSource, PointTarget, Scalar>::setAdditionalProcessThreshold(
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 void
-KSSICP<PointSource, PointTarget, Scalar>::setMaximumResidual(double multiple)
+KSSICP<PointSource, PointTarget, Scalar>::setScaleRange(double smallest, double largest)
 {
-  set(maximum_residual_, multiple, multiple > 0.0,
-      "setMaximumResidual] The multiple must be positive.");
+  if (smallest >= 0.0 && smallest <= largest && largest > 0.0) {
+    settings_.smallest_scale = smallest;
+    settings_.largest_scale = largest;
+  }
+  else
+    PCL_ERROR("[pcl::%s::setScaleRange] The smallest scale must be at least 0, and no "
+              "more than the largest.\n",
+              getClassName().c_str());
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::setMinimumConfidence(double confidence)
+{
+  set(minimum_confidence_, confidence, confidence >= 0.0 && confidence <= 1.0,
+      "setMinimumConfidence] The confidence must lie between 0 and 1.");
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::setSettings(const kss::Settings& settings)
+{
+  const kss::Settings checked = settings_;
+  settings_ = settings;
+  settings_.sample_points = checked.sample_points;
+  settings_.angle_step = checked.angle_step;
+  settings_.even_rotations = checked.even_rotations;
+  settings_.local_minimum_kernel = checked.local_minimum_kernel;
+  settings_.additional_process_threshold = checked.additional_process_threshold;
+  settings_.smallest_scale = checked.smallest_scale;
+  settings_.largest_scale = checked.largest_scale;
+  setNumberOfSamplePoints(settings.sample_points);
+  setAngleStep(settings.angle_step);
+  setNumberOfEvenRotations(settings.even_rotations);
+  setLocalMinimumKernel(settings.local_minimum_kernel);
+  setAdditionalProcessThreshold(settings.additional_process_threshold);
+  setScaleRange(settings.smallest_scale, settings.largest_scale);
 }
 
 } // namespace pcl

@@ -4,13 +4,18 @@
 
 #pragma once
 
-#include <pcl/registration/kss/hausdorff.h>
+#include <pcl/registration/kss/distances.h>
+#include <pcl/registration/kss/nearest_points.h>
+#include <pcl/registration/kss/overlap.h>
 #include <pcl/registration/kss/points.h>
 #include <pcl/registration/kss/pre_shape.h>
+#include <pcl/registration/kss/refinement.h>
 #include <pcl/registration/kss/settings.h>
 #include <pcl/registration/kss/stage_seconds.h>
+#include <pcl/registration/kss/sweeps.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,12 +26,11 @@ namespace kss {
 struct Alternative {
   /** \brief The similarity that maps the source onto the target. */
   Eigen::Matrix4d transformation;
-  /** \brief Its energy (e9): the Hausdorff distance of the simplified clouds, as a
-   * fraction of the target's root mean square radius. */
-  double energy;
+  /** \brief How much of the clouds lies on each other there. */
+  Overlap overlap;
 };
 
-/** \brief Poses by rising energy. */
+/** \brief Poses by falling score of their overlap. */
 using Alternatives = std::vector<Alternative>;
 
 /** \brief The alignment stage of KSS-ICP: from two clouds to the distinct poses at
@@ -40,7 +44,8 @@ public:
    */
   explicit Alignment(const Settings& settings);
 
-  /** \brief Set the two clouds: simplifies them and maps them to pre-shape space.
+  /** \brief Set the two clouds: cleans and simplifies them and maps them to pre-shape
+   * space.
    * \param[in] source cloud to be placed
    * \param[in] target cloud to be placed upon
    * \param[in] known_scale the scale of all poses where the settings do not have it
@@ -54,19 +59,20 @@ public:
   Alternatives
   align();
 
-  /** \brief The pose with its energy, which ranks it among the alternatives. */
-  Alternative
-  judge(const Eigen::Matrix4d& transformation);
-
-  /** \brief The mean distance of the simplified clouds, both ways, at a pose: a
-   * multiple of the distance between neighbouring samples.
+  /** \brief A transformation with its overlap, which ranks it among the alternatives.
    */
-  double
-  residual(const Eigen::Matrix4d& transformation);
+  Alternative
+  judge(const Eigen::Matrix4d& transformation) const;
 
-  /** \brief Whether two poses are the same for the purpose of listing alternatives. */
+  /** \brief Whether two transformations are the same for the purpose of listing
+   * alternatives. */
   bool
   same(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const;
+
+  /** \brief The spacing of the points of both clouds where a transformation has placed
+   * the source: the wider one, median, in units of the target. */
+  double
+  spacing(const Eigen::Matrix4d& transformation) const;
 
   /** \brief The name of the device that evaluates the candidates. */
   std::string
@@ -77,30 +83,62 @@ public:
   clock();
 
 private:
+  /** \brief A cloud in pre-shape space, simplified for the search and as it is (clean,
+   * and no larger than needed) for refinement and judgement. */
+  struct Shape {
+    PreShape simplified;
+    NearestPoints all;
+  };
+
+  /** \brief A local minimum of an energy: a pose between the pre-shapes. */
+  struct Minimum {
+    Eigen::Matrix4d pose;
+    float energy;
+    Weights weights;
+  };
+
   using Poses = std::vector<Eigen::Matrix4d>;
 
-  Alternatives
-  refined(const Poses& minima);
+  ScaleRange
+  scaleRange() const;
 
+  std::vector<Minimum>
+  localMinima();
+
+  std::vector<std::vector<float>>
+  energiesOf(const Sweep& sweep);
+
+  double
+  energyAt(const Eigen::Matrix4d& pose, const Weights& weights);
+
+  /** \brief The distinct poses that ICP leads to, the best first. */
   Poses
-  distinctByEnergy(const Poses& poses);
+  refined(Poses poses);
+
+  /** \brief One round of that; the poses are ranked by \a badness, and of those closer
+   * together than \a distinct one is kept. */
+  template <typename Badness>
+  Poses
+  refined(const Poses& poses,
+          const Refinement& refinement,
+          const Refinement::Effort& effort,
+          const Badness& badness,
+          double distinct,
+          std::size_t most) const;
+
+  double
+  truncatedMean(const Eigen::Matrix4d& pose, Eigen::Index points, double limit) const;
 
   double
   displacement(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const;
-
-  std::vector<HausdorffDistances>
-  distancesOf(const Poses& poses);
-
-  std::vector<float>
-  energiesOf(const Poses& poses);
 
   void
   report(const char* stage, double done) const;
 
   Settings settings_;
-  std::unique_ptr<HausdorffEvaluator> evaluator_;
-  PreShape source_, target_;
-  double sampling_distance_ = 0.0;
+  std::unique_ptr<DistanceEvaluator> evaluator_;
+  std::optional<Shape> source_, target_;
+  bool is_noisy_ = false;
   StageClock clock_;
 };
 

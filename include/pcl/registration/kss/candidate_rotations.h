@@ -30,7 +30,7 @@ public:
 
   /** \brief The other rotations within the kernel of (e12) around one of them.
    * \param[in] index a rotation of the set
-   * \param[in] kernel the edge of the kernel in steps; odd
+   * \param[in] kernel the edge of the kernel in steps
    */
   virtual std::vector<std::size_t>
   neighbours(std::size_t index, unsigned int kernel) const = 0;

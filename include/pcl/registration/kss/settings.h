@@ -5,10 +5,19 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace pcl {
 namespace kss {
+
+/** \brief Which parts of the object the two clouds show. */
+enum class Mode {
+  AUTOMATIC,      ///< all of the others are tried, and the best pose wins (default)
+  GLOBAL_GLOBAL,  ///< both clouds are complete: (e9) and (e10), centres coincide
+  PARTIAL_GLOBAL, ///< one cloud, either, is a part of the other: (e122) to (e13)
+  PARTIAL_PARTIAL ///< both are incomplete and share a part
+};
 
 /** \brief How the simplification spreads its points over the cloud. */
 enum class Density {
@@ -19,8 +28,27 @@ enum class Density {
 /** \brief The candidate rotations {O}. */
 enum class RotationSet {
   EULER, ///< (e10): all triples of multiples of the angle step about x, y and z
-         ///< (default)
   EVEN ///< a super-Fibonacci spiral: any number of rotations, evenly spread over SO(3)
+       ///< (default)
+};
+
+/** \brief The candidate centres {C}. */
+enum class CenterSet {
+  PAPER, ///< (e123): a cube of 5 x 5 x 5 in the local frame of the incomplete cloud
+  SPREAD ///< a box along the principal axes, as far as the object reaches (default)
+};
+
+/** \brief What makes a candidate good. */
+enum class Energy {
+  HAUSDORFF, ///< (e9) and (e122): the largest distance of a point to the other cloud
+  TRUNCATED_MEAN ///< the mean of those distances, none counted beyond a limit: forgives
+                 ///< points without a counterpart (default)
+};
+
+/** \brief How the candidates' distances are computed. */
+enum class Search {
+  LOOK_UP,    ///< from distance fields: a look-up per point (default)
+  BRUTE_FORCE ///< from all pairs of points: the reference
 };
 
 /** \brief Told how far a running registration has come.
@@ -30,27 +58,42 @@ enum class RotationSet {
  */
 using ProgressCallback = std::function<void(const std::string& stage, double done)>;
 
-/** \brief Everything the initial alignment can be told; the defaults are the paper's
- * unless a comment says otherwise.
- */
+/** \brief Everything the initial alignment can be told. */
 struct Settings {
+  /** What the clouds show. */
+  Mode mode = Mode::AUTOMATIC;
   /** Points k of a simplified cloud. */
   unsigned int sample_points = 2000;
-  /** How the k points are spread. The paper's is Density::PAPER. */
+  /** How the k points are spread. */
   Density density = Density::UNIFORM;
+  /** Whether stray points are dropped and heavy noise is averaged before. */
+  bool clean = true;
   /** Which rotations are tried. */
-  RotationSet rotation_set = RotationSet::EULER;
+  RotationSet rotation_set = RotationSet::EVEN;
   /** Step theta of the Euler grid, in radians. */
   double angle_step = 0.52359877559829887; // pi / 6
   /** Number of rotations of the even set. */
   unsigned int even_rotations = 1728;
-  /** Edge of the kernel in which a local minimum is the smallest, in steps; odd. */
-  unsigned int local_minimum_kernel = 5;
+  /** Which centres are tried where a cloud may be incomplete. */
+  CenterSet center_set = CenterSet::SPREAD;
+  /** What is minimal at the right candidate. */
+  Energy energy = Energy::TRUNCATED_MEAN;
+  /** How the energy is computed. */
+  Search search = Search::LOOK_UP;
+  /** Points of each simplified cloud that take part in a search by look-ups. */
+  unsigned int search_points = 96;
+  /** Edge of the kernel of rotations in which a local minimum is the smallest, in
+   * steps. */
+  unsigned int local_minimum_kernel = 3;
   /** Energy above which further local minima are refined, Q_the of (e12), as a fraction
-   * of the cloud's root mean square radius. */
-  double additional_process_threshold = 0.001;
+   * of the target's root mean square radius; 0: always. */
+  double additional_process_threshold = 0.0;
   /** Whether the relative scale is unknown and estimated. */
   bool estimate_scale = true;
+  /** Smallest scale of the transformation where it is estimated. */
+  double smallest_scale = 0.0;
+  /** Largest scale of the transformation where it is estimated. */
+  double largest_scale = std::numeric_limits<double>::infinity();
   /** "auto": the first OpenCL device, GPUs first, else the host; "host": no OpenCL;
    * anything else: the OpenCL device whose name contains it. */
   std::string device = "auto";
@@ -60,6 +103,30 @@ struct Settings {
   /** Called as the work proceeds; may be empty. */
   ProgressCallback progress;
 };
+
+/** \brief The settings of the paper: Hausdorff distances of all pairs of points, the
+ * Euler grid, its centres, voxel quotas by count, clouds as they are.
+ *
+ * The mode becomes GLOBAL_GLOBAL where it was AUTOMATIC: the paper leaves the choice to
+ * the user. Scale estimation, device, threads and progress stay.
+ */
+inline Settings
+paperSettings(Settings settings)
+{
+  if (settings.mode == Mode::AUTOMATIC)
+    settings.mode = Mode::GLOBAL_GLOBAL;
+  settings.sample_points = 2000;
+  settings.density = Density::PAPER;
+  settings.clean = false;
+  settings.rotation_set = RotationSet::EULER;
+  settings.angle_step = Settings().angle_step;
+  settings.center_set = CenterSet::PAPER;
+  settings.energy = Energy::HAUSDORFF;
+  settings.search = Search::BRUTE_FORCE;
+  settings.local_minimum_kernel = 5;
+  settings.additional_process_threshold = 0.001;
+  return settings;
+}
 
 } // namespace kss
 } // namespace pcl

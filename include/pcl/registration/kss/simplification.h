@@ -41,5 +41,19 @@ evenSampleSize(const Points& cloud, unsigned int k, unsigned int threads);
 Points
 simplify(const Points& cloud, unsigned int k, Density density, unsigned int threads);
 
+/** \brief Thin a cloud out to at most so many points, quickly and about evenly: one
+ * point for each cell of a grid. \param[in] cloud a cloud of any size; as it is where
+ * it has no more points \param[in] most at least 1
+ */
+Points
+thinned(const Points& cloud, unsigned int most);
+
+/** \brief Order points such that any leading part of them covers the cloud evenly: each
+ * is the farthest from those before it; the first is the nearest to their mean.
+ * \param[in] cloud at least one point; the time grows with the square of its size
+ */
+Points
+inFarthestOrder(const Points& cloud);
+
 } // namespace kss
 } // namespace pcl

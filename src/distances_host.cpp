@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
-#include <pcl/registration/kss/hausdorff.h>
+#include <pcl/registration/kss/distances.h>
 
 #include "parallel.h"
 
@@ -48,7 +48,7 @@ meet(const float* x,
   return *std::min_element(column, column + lanes);
 }
 
-class HostEvaluator : public HausdorffEvaluator {
+class HostEvaluator : public DistanceEvaluator {
 public:
   explicit HostEvaluator(unsigned int threads)
   : threads_(threadCount(threads))
@@ -56,8 +56,9 @@ public:
   }
 
   void
-  setClouds(const Points& source, const Points& target) override
+  setClouds(const Points& source, const Points& target, float limit) override
   {
+    limit_ = limit;
     source_ = source;
     target_points_ = target.cols();
     // coordinates apart, filled up to whole vectors with copies of the last point
@@ -68,10 +69,10 @@ public:
         target.col(target_points_ - 1).transpose();
   }
 
-  std::vector<HausdorffDistances>
+  std::vector<DirectedDistances>
   evaluate(const std::vector<Placement>& placements) override
   {
-    std::vector<HausdorffDistances> distances(placements.size());
+    std::vector<DirectedDistances> distances(placements.size());
     const auto size = static_cast<std::ptrdiff_t>(placements.size());
 #pragma omp parallel for schedule(dynamic) num_threads(threads_)
     for (std::ptrdiff_t i = 0; i < size; ++i)
@@ -86,7 +87,7 @@ public:
   }
 
 private:
-  HausdorffDistances
+  DirectedDistances
   distancesAt(const Placement& placement) const
   {
     std::vector<float> nearest(target_.rows(), std::numeric_limits<float>::max());
@@ -98,13 +99,13 @@ private:
           meet(target_.col(0).data(), target_.col(1).data(), target_.col(2).data(),
                static_cast<int>(target_.rows()), p.data(), nearest.data());
       farthest_source = std::max(farthest_source, squared);
-      sum_source += std::sqrt(squared);
+      sum_source += std::min(std::sqrt(squared), limit_);
     }
     float farthest_target = 0.0f;
     double sum_target = 0.0;
     for (Eigen::Index t = 0; t < target_points_; ++t) {
       farthest_target = std::max(farthest_target, nearest[t]);
-      sum_target += std::sqrt(nearest[t]);
+      sum_target += std::min(std::sqrt(nearest[t]), limit_);
     }
     return {std::sqrt(farthest_source), static_cast<float>(sum_source / source_.cols()),
             std::sqrt(farthest_target),
@@ -115,11 +116,12 @@ private:
   Points source_;
   Eigen::MatrixX3f target_;
   Eigen::Index target_points_ = 0;
+  float limit_ = 0.0f;
 };
 
 } // namespace
 
-std::unique_ptr<HausdorffEvaluator>
+std::unique_ptr<DistanceEvaluator>
 makeHostEvaluator(unsigned int threads)
 {
   return std::make_unique<HostEvaluator>(threads);

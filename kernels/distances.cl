@@ -1,8 +1,8 @@
 /*
  * SPDX-License-Identifier: BSD-3-Clause
  *
- * Hausdorff distances, both ways, between the target and the source placed by each
- * candidate: E_d of (e9). One work-item per candidate, no local memory, no barrier.
+ * Distances, both ways, between the target and the source placed by each candidate,
+ * from all pairs of points: E_d of (e9). One work-item per candidate, no local memory, no barrier.
  *
  * The target lies in tiles of eight points, x, y and z apart, so that a CPU fills its
  * vectors with target points; on a GPU the eight lanes are independent instructions.
@@ -53,20 +53,22 @@ squared_distance(float8 x, float8 y, float8 z, float4 p)
 /* target_*: the target in tiles, the last one filled up with copies of the last point
  * source: x, y, z, 1 per point, filled up to a multiple of four with copies of the last
  * candidates: the three rows of a 3x4 similarity per candidate
+ * limit: what a distance counts in the means at most
  * nearest: scratch, tiles x candidates; written before it is read
  * distances: per candidate max and mean source to target, max and mean target to source
  */
 kernel void
-hausdorff(global const float8* restrict target_x,
-          global const float8* restrict target_y,
-          global const float8* restrict target_z,
-          const uint target_points,
-          global const float4* restrict source,
-          const uint source_points,
-          global const float4* restrict candidates,
-          const uint number_of_candidates,
-          global float8* restrict nearest,
-          global float4* restrict distances)
+pair_distances(global const float8* restrict target_x,
+               global const float8* restrict target_y,
+               global const float8* restrict target_z,
+               const uint target_points,
+               global const float4* restrict source,
+               const uint source_points,
+               global const float4* restrict candidates,
+               const uint number_of_candidates,
+               const float limit,
+               global float8* restrict nearest,
+               global float4* restrict distances)
 {
   const uint candidate = get_global_id(0);
   if (candidate >= number_of_candidates)
@@ -109,9 +111,9 @@ hausdorff(global const float8* restrict target_x,
     farthest_source = max(farthest_source,
                           max(max(column.x, column.y), max(column.z, column.w)));
     // the copies that fill up the last four do not count in the mean
-    column = select((float4)(0.0f), column,
-                    (uint4)(i, i + 1, i + 2, i + 3) < (uint4)(source_points));
-    const float4 length = sqrt(column);
+    const float4 length =
+        select((float4)(0.0f), min(sqrt(column), limit),
+               (uint4)(i, i + 1, i + 2, i + 3) < (uint4)(source_points));
     sum_source += (length.x + length.y) + (length.z + length.w);
   }
 
@@ -121,8 +123,8 @@ hausdorff(global const float8* restrict target_x,
   for (uint t = 0; t < tiles; ++t) {
     const float8 squared = row[t];
     farthest = max(farthest, squared);
-    sums += sqrt(select((float8)(0.0f), squared,
-                        lane + 8 * t < (uint8)(target_points)));
+    sums += select((float8)(0.0f), min(sqrt(squared), limit),
+                   lane + 8 * t < (uint8)(target_points));
   }
   distances[candidate] = (float4)(sqrt(farthest_source), sum_source / source_points,
                                   sqrt(largest(farthest)), sum(sums) / target_points);

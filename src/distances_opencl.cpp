@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
-#include <pcl/registration/kss/hausdorff.h>
+#include <pcl/registration/kss/distances.h>
 
 #include "opencl_program.h"
 
@@ -15,7 +15,7 @@ namespace {
 constexpr Eigen::Index lanes = 8;    // of a tile of target points
 constexpr Eigen::Index together = 4; // source points held against a tile at once
 
-class OpenCLEvaluator : public HausdorffEvaluator {
+class OpenCLEvaluator : public DistanceEvaluator {
 public:
   OpenCLEvaluator(const std::string& device, unsigned int threads)
   : program_(openCLProgram(device, threads))
@@ -23,8 +23,9 @@ public:
   }
 
   void
-  setClouds(const Points& source, const Points& target) override
+  setClouds(const Points& source, const Points& target, float limit) override
   {
+    limit_ = limit;
     target_points_ = target.cols();
     tiles_ = (target_points_ + lanes - 1) / lanes;
     for (int axis = 0; axis < 3; ++axis) {
@@ -42,7 +43,7 @@ public:
     source_ = program_->upload(homogeneous.data(), homogeneous.size());
   }
 
-  std::vector<HausdorffDistances>
+  std::vector<DirectedDistances>
   evaluate(const std::vector<Placement>& placements) override
   {
     // The scratch memory sets how many candidates fit into one dispatch: the paper's
@@ -50,7 +51,7 @@ public:
     const std::size_t scratch = tiles_ * lanes * sizeof(float);
     const std::size_t batch = std::max<std::size_t>(
         1, std::min<std::size_t>(program_->largestBuffer() / scratch, 8192));
-    std::vector<HausdorffDistances> distances(placements.size());
+    std::vector<DirectedDistances> distances(placements.size());
     for (std::size_t begin = 0; begin < placements.size(); begin += batch)
       evaluate(placements.data() + begin, std::min(batch, placements.size() - begin),
                distances.data() + begin);
@@ -65,17 +66,17 @@ public:
 
 private:
   void
-  evaluate(const Placement* placements, std::size_t size, HausdorffDistances* distances)
+  evaluate(const Placement* placements, std::size_t size, DirectedDistances* distances)
   {
     const cl::Buffer candidates =
         program_->upload(placements->data(), size * Placement::SizeAtCompileTime);
     const cl::Buffer nearest = program_->allocate(size * tiles_ * lanes);
     const cl::Buffer result = program_->allocate(4 * size);
-    program_->run("hausdorff", size, target_[0], target_[1], target_[2],
+    program_->run("pair_distances", size, target_[0], target_[1], target_[2],
                   static_cast<cl_uint>(target_points_), source_,
                   static_cast<cl_uint>(source_points_), candidates,
-                  static_cast<cl_uint>(size), nearest, result);
-    static_assert(sizeof(HausdorffDistances) == 4 * sizeof(float),
+                  static_cast<cl_uint>(size), limit_, nearest, result);
+    static_assert(sizeof(DirectedDistances) == 4 * sizeof(float),
                   "the kernel's float4");
     program_->download(result, &distances->source_to_target, 4 * size);
   }
@@ -83,11 +84,12 @@ private:
   std::shared_ptr<OpenCLProgram> program_;
   cl::Buffer target_[3], source_;
   Eigen::Index target_points_ = 0, source_points_ = 0, tiles_ = 0;
+  float limit_ = 0.0f;
 };
 
 } // namespace
 
-std::unique_ptr<HausdorffEvaluator>
+std::unique_ptr<DistanceEvaluator>
 makeOpenCLEvaluator(const std::string& device, unsigned int threads)
 {
   return std::make_unique<OpenCLEvaluator>(device, threads);

@@ -1,0 +1,82 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include <pcl/registration/kss/points.h>
+
+#include <vector>
+
+namespace pcl {
+namespace kss {
+
+/** \brief A grid around a cloud, each cell of which knows the point nearest to its
+ * centre.
+ */
+class DistanceField {
+public:
+  /** \param[in] points at least one
+   * \param[in] cell the edge of a cell; it grows where more than four million cells
+   * would be needed
+   * \param[in] margin how far the grid reaches beyond the points, on all sides
+   */
+  DistanceField(const Points& points, float cell, float margin);
+
+  /** \brief The cell of a position; beyond the grid, the nearest cell of its border. */
+  std::size_t
+  cellOf(const Eigen::Vector3f& position) const
+  {
+    const Eigen::Array3f cell = ((position - lower_) * inverse_edge_).array();
+    const Eigen::Array3i inside =
+        cell.max(0.0f).min(size_.array().cast<float>() - 1.0f).cast<int>();
+    return (static_cast<std::size_t>(inside.z()) * size_.y() + inside.y()) * size_.x() +
+           inside.x();
+  }
+
+  /** \brief The point nearest to the centre of a cell. */
+  int
+  nearest(std::size_t cell) const
+  {
+    return nearest_[cell];
+  }
+
+  /** \brief Its distance from the centre of the cell, for all cells: x varies fastest.
+   */
+  const std::vector<float>&
+  distances() const
+  {
+    return distances_;
+  }
+
+  /** \brief The lower corner of the grid. */
+  const Eigen::Vector3f&
+  lower() const
+  {
+    return lower_;
+  }
+
+  /** \brief One over the edge of a cell. */
+  float
+  inverseEdge() const
+  {
+    return inverse_edge_;
+  }
+
+  /** \brief Cells along x, y and z. */
+  const Eigen::Vector3i&
+  size() const
+  {
+    return size_;
+  }
+
+private:
+  Eigen::Vector3f lower_;
+  float inverse_edge_;
+  Eigen::Vector3i size_;
+  std::vector<int> nearest_;
+  std::vector<float> distances_;
+};
+
+} // namespace kss
+} // namespace pcl

@@ -1,0 +1,201 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include <pcl/registration/kss/cleaning.h>
+#include <pcl/registration/kss/neighbourhoods.h>
+#include <pcl/registration/kss/simplification.h>
+
+#include "parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
+namespace pcl {
+namespace kss {
+namespace {
+
+/** Neighbours that tell how sparse a place is, and how flat. */
+constexpr int sparse_neighbours = 12;
+constexpr int flat_neighbours = 16;
+
+/** Space around a point against that around its neighbours: random points of even
+ * density stay below 1.4, those in the open beside a surface reach twice this. */
+constexpr float isolated = 1.6f;
+
+/** Space around a point against the median of the cloud from which on it is sparse. */
+constexpr float sparse = 2.5f;
+
+/** Surface variation, mean of a neighbourhood: random points in space have 0.16,
+ * surfaces rarely more than 0.05. */
+constexpr float fills_space = 0.09f;
+
+/** Surface variation, median, from which on the noise is heavy: thin and winding
+ * surfaces reach 0.1. */
+constexpr float heavy = 0.125f;
+
+/** Clouds smaller than this are left alone: they cannot spare a point. */
+constexpr Eigen::Index small = 100;
+
+float
+medianOf(std::vector<float> values)
+{
+  const auto middle = values.begin() + values.size() / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Points
+take(const Points& cloud, const std::vector<Eigen::Index>& indices)
+{
+  Points taken(3, indices.size());
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    taken.col(i) = cloud.col(indices[i]);
+  return taken;
+}
+
+std::vector<Eigen::Index>
+notStray(const Points& cloud, unsigned int threads)
+{
+  const Neighbourhoods found = neighbourhoodsOf(cloud, flat_neighbours, threads);
+  const Eigen::VectorXf variation = surfaceVariation(cloud, found, threads);
+  const Eigen::VectorXf room = found.distances.row(sparse_neighbours - 1);
+  const float usual = medianOf({room.data(), room.data() + room.size()});
+
+  std::vector<Eigen::Index> kept;
+  std::vector<float> rooms(flat_neighbours);
+  for (Eigen::Index i = 0; i < cloud.cols(); ++i) {
+    float flatness = variation[i];
+    for (int n = 0; n < flat_neighbours; ++n) {
+      rooms[n] = room[found.indices(n, i)];
+      flatness += variation[found.indices(n, i)];
+    }
+    flatness /= 1 + flat_neighbours;
+    const float around = medianOf(rooms);
+    const bool is_isolated = around > 0.0f && room[i] > isolated * around;
+    if (!is_isolated && (room[i] <= sparse * usual || flatness < fills_space))
+      kept.push_back(i);
+  }
+  return kept;
+}
+
+/** The mean of the points within a radius of each position. */
+Points
+meansAround(const Points& positions,
+            const Points& cloud,
+            float radius,
+            unsigned int threads)
+{
+  const Eigen::MatrixX3f coordinates = cloud.transpose();
+  Points means(3, positions.cols());
+#pragma omp parallel for num_threads(threadCount(threads))
+  for (Eigen::Index i = 0; i < positions.cols(); ++i) {
+    const Eigen::ArrayXf squared =
+        (coordinates.col(0).array() - positions(0, i)).square() +
+        (coordinates.col(1).array() - positions(1, i)).square() +
+        (coordinates.col(2).array() - positions(2, i)).square();
+    const Eigen::VectorXf inside = (squared <= radius * radius).cast<float>();
+    means.col(i) = coordinates.transpose() * inside / inside.sum();
+  }
+  return means;
+}
+
+/** The median of the surface variation. */
+float
+usualVariation(const Points& cloud, unsigned int threads)
+{
+  const Eigen::VectorXf variation = surfaceVariation(
+      cloud, neighbourhoodsOf(cloud, flat_neighbours, threads), threads);
+  return medianOf({variation.data(), variation.data() + variation.size()});
+}
+
+float
+rootMeanSquareRadius(const Points& cloud)
+{
+  const Eigen::Vector3f center = cloud.rowwise().mean();
+  return std::sqrt((cloud.colwise() - center).squaredNorm() / cloud.cols());
+}
+
+/** Every fourth point: their neighbourhoods are twice as wide. */
+Points
+quarterOf(const Points& cloud)
+{
+  Points quarter(3, cloud.cols() / 4);
+  for (Eigen::Index i = 0; i < quarter.cols(); ++i)
+    quarter.col(i) = cloud.col(4 * i);
+  return quarter;
+}
+
+} // namespace
+
+Points
+withoutCopies(const Points& cloud)
+{
+  std::vector<Eigen::Index> order(cloud.cols());
+  std::iota(order.begin(), order.end(), 0);
+  const auto before = [&](Eigen::Index a, Eigen::Index b) {
+    return std::make_tuple(cloud(0, a), cloud(1, a), cloud(2, a), a) <
+           std::make_tuple(cloud(0, b), cloud(1, b), cloud(2, b), b);
+  };
+  std::sort(order.begin(), order.end(), before);
+  const auto copied = [&](Eigen::Index a, Eigen::Index b) {
+    return cloud.col(a) == cloud.col(b);
+  };
+  order.erase(std::unique(order.begin(), order.end(), copied), order.end());
+  std::sort(order.begin(), order.end());
+  return take(cloud, order);
+}
+
+Points
+withoutStrayPoints(const Points& cloud, unsigned int threads)
+{
+  // A second look finds those that the first ones hid.
+  Points rest = cloud;
+  for (int look = 0; look < 2 && rest.cols() >= small; ++look) {
+    const auto kept = notStray(rest, threads);
+    const bool is_last = kept.size() > 0.998 * rest.cols();
+    rest = take(rest, kept);
+    if (is_last)
+      break;
+  }
+  return rest.cols() > 0.3 * cloud.cols() ? rest : cloud;
+}
+
+bool
+isNoisy(const Points& cloud, unsigned int threads)
+{
+  return cloud.cols() >= 4 * small && usualVariation(quarterOf(cloud), threads) > heavy;
+}
+
+void
+averageNoise(Points& source, Points& target, unsigned int samples, unsigned int threads)
+{
+  struct Averaging {
+    Averaging(const Points& noisy, unsigned int samples, unsigned int threads)
+    : cloud(noisy)
+    , at(simplify(noisy, samples, Density::UNIFORM, threads))
+    , size(rootMeanSquareRadius(noisy))
+    {
+    }
+    const Points& cloud;
+    Points at;
+    float size;
+  };
+  const Averaging a(source, samples, threads), b(target, samples, threads);
+  Points means_a, means_b;
+  for (float radius = 0.1f; radius < 0.26f; radius *= 1.25f) {
+    means_a = meansAround(a.at, a.cloud, radius * a.size, threads);
+    means_b = meansAround(b.at, b.cloud, radius * b.size, threads);
+    if (std::max(usualVariation(means_a, threads), usualVariation(means_b, threads)) <
+        fills_space)
+      break;
+  }
+  source = means_a;
+  target = means_b;
+}
+
+} // namespace kss
+} // namespace pcl

@@ -1,0 +1,58 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include <pcl/registration/kss/confidence.h>
+
+#include <cmath>
+
+namespace pcl {
+namespace kss {
+namespace {
+
+/** The score in the middle between right poses and those of different objects, and how
+ * fast the confidence rises there. */
+constexpr double doubtful_score = 0.55;
+constexpr double score_step = 0.05;
+
+/** Poses whose scores differ by less than this share are about equally good: samplings
+ * of one symmetric shape differ by less. */
+constexpr double equally_good = 0.05;
+
+/** The share of a complete cloud that another complete one covers at least. */
+constexpr double complete = 0.9;
+
+} // namespace
+
+double
+confidenceOf(const Overlap& overlap)
+{
+  return 1.0 / (1.0 + std::exp((doubtful_score - overlap.score) / score_step));
+}
+
+bool
+isAmbiguous(const Alternatives& alternatives)
+{
+  return alternatives.size() > 1 &&
+         alternatives[1].overlap.score >
+             (1.0 - equally_good) * alternatives[0].overlap.score;
+}
+
+Mode
+modeOf(const Overlap& overlap)
+{
+  const bool source_is_part = overlap.source > complete;
+  const bool target_is_part = overlap.target > complete;
+  return source_is_part && target_is_part   ? Mode::GLOBAL_GLOBAL
+         : source_is_part || target_is_part ? Mode::PARTIAL_GLOBAL
+                                            : Mode::PARTIAL_PARTIAL;
+}
+
+std::string
+percent(double share)
+{
+  return std::to_string(std::lround(100.0 * share)) + " %";
+}
+
+} // namespace kss
+} // namespace pcl

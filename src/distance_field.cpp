@@ -1,0 +1,78 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include <pcl/registration/kss/distance_field.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace kss {
+namespace {
+
+constexpr double most_cells = 4e6;
+
+} // namespace
+
+DistanceField::DistanceField(const Points& points, float cell, float margin)
+: lower_(points.rowwise().minCoeff().array() - margin)
+{
+  const Eigen::Vector3f extent =
+      (points.rowwise().maxCoeff() - lower_).array() + margin;
+  for (;; cell *= 1.25f) {
+    const Eigen::Array3d cells = (extent.cast<double>() / cell).array().floor() + 1.0;
+    if (cells.prod() <= most_cells) {
+      size_ = cells.cast<int>();
+      break;
+    }
+  }
+  inverse_edge_ = 1.0f / cell;
+  nearest_.assign(static_cast<std::size_t>(size_.x()) * size_.y() * size_.z(), -1);
+  distances_.assign(nearest_.size(), std::numeric_limits<float>::max());
+
+  // Squared distances first. Every cell that holds a point knows it; then each cell
+  // asks the one before it, along all axes, to and fro, twice (after P.-E. Danielsson,
+  // "Euclidean Distance Mapping", 1980): the rare cell that misses its nearest point
+  // has another one hardly farther away.
+  const auto offer = [&](std::size_t index, const Eigen::Vector3f& center, int point) {
+    const float squared = (points.col(point) - center).squaredNorm();
+    if (squared < distances_[index]) {
+      distances_[index] = squared;
+      nearest_[index] = point;
+    }
+  };
+  const auto centerOf = [&](int x, int y, int z) -> Eigen::Vector3f {
+    return lower_ + cell * Eigen::Vector3f(x + 0.5f, y + 0.5f, z + 0.5f);
+  };
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const std::size_t index = cellOf(points.col(i));
+    const int x = index % size_.x(), y = index / size_.x() % size_.y(),
+              z = index / size_.x() / size_.y();
+    offer(index, centerOf(x, y, z), i);
+  }
+  const std::ptrdiff_t strides[] = {1, size_.x(),
+                                    static_cast<std::ptrdiff_t>(size_.x()) * size_.y()};
+  for (int round = 0; round < 2; ++round)
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int step : {1, -1})
+        for (int k = 0; k < size_.z(); ++k)
+          for (int j = 0; j < size_.y(); ++j)
+            for (int i = 0; i < size_.x(); ++i) {
+              const int x = step > 0 ? i : size_.x() - 1 - i;
+              const int y = step > 0 ? j : size_.y() - 1 - j;
+              const int z = step > 0 ? k : size_.z() - 1 - k;
+              const int before = (axis == 0 ? x : axis == 1 ? y : z) - step;
+              if (before < 0 || before >= size_[axis])
+                continue;
+              const std::size_t index = x + y * strides[1] + z * strides[2];
+              const int point = nearest_[index - step * strides[axis]];
+              if (point >= 0)
+                offer(index, centerOf(x, y, z), point);
+            }
+  for (float& distance : distances_)
+    distance = std::sqrt(distance);
+}
+
+} // namespace kss
+} // namespace pcl

@@ -1,0 +1,110 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include <pcl/registration/kss/distance_field.h>
+#include <pcl/registration/kss/distances.h>
+
+#include "look_up_field.h"
+#include "opencl_program.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace kss {
+namespace {
+
+constexpr Eigen::Index lanes = 8; // of a tile of points
+
+/** One cloud on the device: its points in tiles and its distance field. */
+struct Cloud {
+  cl::Buffer x, y, z, field;
+  cl_uint points;
+  cl_float4 lower;
+  cl_int4 size;
+};
+
+class OpenCLLookUpEvaluator : public DistanceEvaluator {
+public:
+  OpenCLLookUpEvaluator(const std::string& device,
+                        unsigned int threads,
+                        unsigned int probes)
+  : program_(openCLProgram(device, threads))
+  , probes_(probes)
+  {
+  }
+
+  void
+  setClouds(const Points& source, const Points& target, float limit) override
+  {
+    limit_ = limit;
+    source_ = upload(source);
+    target_ = upload(target);
+  }
+
+  std::vector<DirectedDistances>
+  evaluate(const std::vector<Placement>& placements) override
+  {
+    const auto size = placements.size();
+    std::vector<DirectedDistances> distances(size);
+    if (size == 0)
+      return distances;
+    const cl::Buffer candidates = program_->upload(placements.front().data(),
+                                                   size * Placement::SizeAtCompileTime);
+    const cl::Buffer result = program_->allocate(4 * size);
+    program_->run("look_ups", size, source_.x, source_.y, source_.z, source_.points,
+                  source_.field, source_.lower, source_.size, target_.x, target_.y,
+                  target_.z, target_.points, target_.field, target_.lower, target_.size,
+                  candidates, static_cast<cl_uint>(size), limit_, result);
+    static_assert(sizeof(DirectedDistances) == 4 * sizeof(float),
+                  "the kernel's float4");
+    program_->download(result, &distances.front().source_to_target, 4 * size);
+    return distances;
+  }
+
+  std::string
+  deviceName() const override
+  {
+    return program_->deviceName();
+  }
+
+private:
+  Cloud
+  upload(const Points& points)
+  {
+    Cloud cloud;
+    const Eigen::Index probes = std::min<Eigen::Index>(probes_, points.cols());
+    const Eigen::Index filled = (probes + lanes - 1) / lanes * lanes;
+    Eigen::MatrixX3f tiled(filled, 3);
+    tiled.topRows(probes) = points.leftCols(probes).transpose();
+    tiled.bottomRows(filled - probes).rowwise() = points.col(probes - 1).transpose();
+    cloud.x = program_->upload(tiled.col(0).data(), filled);
+    cloud.y = program_->upload(tiled.col(1).data(), filled);
+    cloud.z = program_->upload(tiled.col(2).data(), filled);
+    cloud.points = static_cast<cl_uint>(probes);
+    const DistanceField field = lookUpField(points, limit_);
+    cloud.field = program_->upload(field.distances().data(), field.distances().size());
+    cloud.lower = {
+        {field.lower().x(), field.lower().y(), field.lower().z(), field.inverseEdge()}};
+    cloud.size = {{field.size().x(), field.size().y(), field.size().z(), 0}};
+    return cloud;
+  }
+
+  std::shared_ptr<OpenCLProgram> program_;
+  unsigned int probes_;
+  Cloud source_, target_;
+  float limit_ = 0.0f;
+};
+
+} // namespace
+
+std::unique_ptr<DistanceEvaluator>
+makeOpenCLLookUpEvaluator(const std::string& device,
+                          unsigned int threads,
+                          unsigned int probes)
+{
+  return std::make_unique<OpenCLLookUpEvaluator>(device, threads, probes);
+}
+
+} // namespace kss
+} // namespace pcl

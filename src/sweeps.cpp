@@ -1,0 +1,118 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include <pcl/registration/kss/sweeps.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace kss {
+namespace {
+
+/** Adjacent scales: ICP on many starts closes half such a gap easily. */
+constexpr double scale_step = 1.25;
+
+/** How far centres are looked for, in standard deviations of the cloud along an axis,
+ * and how far apart, in root mean square radii: for a part and the whole, and, where
+ * more is affordable, for two parts. */
+struct Centers {
+  double reach, step;
+};
+constexpr Centers of_a_part{1.1, 0.36};
+constexpr Centers of_two_parts{1.6, 0.3};
+
+/** What the second direction counts where one cloud is a part of the other: enough for
+ * the energy not to fall when the part shrinks. */
+constexpr float neutral = 0.25f;
+
+/** Powers of the step from the range, and 1 or what is nearest to it. */
+std::vector<double>
+scalesIn(const ScaleRange& range)
+{
+  std::vector<double> scales;
+  for (int i = -3; i <= 3; ++i) {
+    const double scale = std::pow(scale_step, i);
+    if (scale >= range.smallest && scale <= range.largest)
+      scales.push_back(scale);
+  }
+  if (scales.empty())
+    scales.push_back(range.clamp(1.0));
+  return scales;
+}
+
+double
+rootMeanSquareRadius(const Points& points)
+{
+  return std::sqrt(points.squaredNorm() / points.cols());
+}
+
+} // namespace
+
+float
+energyOf(const DirectedDistances& distances, const Weights& weights, Energy energy)
+{
+  if (energy == Energy::HAUSDORFF)
+    return std::max(weights.source_to_target * distances.source_to_target,
+                    weights.target_to_source * distances.target_to_source);
+  return weights.source_to_target * distances.mean_source_to_target +
+         weights.target_to_source * distances.mean_target_to_source;
+}
+
+std::vector<Sweep>
+sweepsOf(const Settings& settings,
+         const Points& source,
+         const Points& target,
+         const ScaleRange& scales)
+{
+  const std::shared_ptr<const CandidateRotations> rotations =
+      candidateRotations(settings);
+  const float other = settings.energy == Energy::HAUSDORFF ? 0.0f : neutral;
+  const Weights both{1.0f, 1.0f}, from_source{1.0f, other}, from_target{other, 1.0f};
+  const auto centersOf = [&](const Points& cloud, const Centers& centers) {
+    return settings.center_set == CenterSet::PAPER
+               ? paperCenters(cloud)
+               : spreadCenters(cloud, centers.reach, centers.step);
+  };
+  // the paper knows no scale but that of the pre-shapes
+  const auto scalesOf = [&](const ScaleRange& range) {
+    return settings.center_set == CenterSet::PAPER
+               ? std::vector<double>{scales.clamp(1.0)}
+               : scalesIn(range);
+  };
+  const ScaleRange smaller{scales.smallest, scales.clamp(1.0)};
+  const ScaleRange larger{scales.clamp(1.0), scales.largest};
+
+  switch (settings.mode) {
+  case Mode::GLOBAL_GLOBAL:
+    return {{Candidates(rotations, {scales.clamp(1.0)}, ownCenter(), Side::TARGET),
+             {both}}};
+  case Mode::PARTIAL_GLOBAL:
+    return {{Candidates(rotations, scalesOf(smaller), centersOf(source, of_a_part),
+                        Side::SOURCE),
+             {from_source}},
+            {Candidates(rotations, scalesOf(larger), centersOf(target, of_a_part),
+                        Side::TARGET),
+             {from_target}}};
+  default:
+    break;
+  }
+  // Unknown scales make the search so much longer that AUTOMATIC then expects one cloud
+  // to be nearly complete. The larger cloud sets how far its centre can be away.
+  Centers centers =
+      scales.smallest == scales.largest || settings.mode == Mode::PARTIAL_PARTIAL
+          ? of_two_parts
+          : of_a_part;
+  centers.reach *=
+      std::max(1.0, rootMeanSquareRadius(source) / rootMeanSquareRadius(target));
+  Sweep sweep{
+      Candidates(rotations, scalesOf(scales), centersOf(target, centers), Side::TARGET),
+      {both}};
+  if (settings.mode == Mode::AUTOMATIC)
+    sweep.energies.insert(sweep.energies.end(), {from_source, from_target});
+  return {sweep};
+}
+
+} // namespace kss
+} // namespace pcl
