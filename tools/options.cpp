@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 
 namespace tool {
@@ -39,12 +40,19 @@ visibleOptions()
   options.add_options()
     ("transform", word("FILE"), "write the transformation: 4x4 numbers, row by row")
     ("report", word("FILE"), "write all results as JSON, also if not registered")
+    ("mode", word("MODE"),
+     "what the clouds show: auto (default), both the whole object: global, one a part of "
+     "the other: partial, or both incomplete: overlap")
     ("rigid", "the clouds have the same scale")
+    ("scale-range", word("A B"), "smallest and largest scale of the transformation")
+    ("paper", "the paper's own settings: all pairs of points, Hausdorff distances, the "
+     "Euler grid, no cleaning; --mode global unless given")
+    ("no-cleaning", "keep stray points and noise in the search")
     ("points", word("K"), "points that both clouds are simplified to (default 2000)")
-    ("angle-step", word("DEG"), "step of the rotations about x, y and z (default 30)")
+    ("angle-step", word("DEG"), "step of the Euler grid (default 30)")
     ("rotations", word("SET"),
-     "rotations to try: euler (default), a grid of angles, or even:N, N evenly spread "
-     "ones")
+     "rotations to try: even:N, N evenly spread ones (default even:1728), or euler, a "
+     "grid of angles")
     ("density", word("KIND"),
      "spread the simplified points by area: uniform (default), or as the cloud's own "
      "points: paper")
@@ -112,16 +120,47 @@ fileName(const po::variables_map& values, const std::string& option)
   return name;
 }
 
+pcl::kss::Mode
+modeOf(const std::string& name)
+{
+  using pcl::kss::Mode;
+  const std::map<std::string, Mode> modes = {{"auto", Mode::AUTOMATIC},
+                                             {"global", Mode::GLOBAL_GLOBAL},
+                                             {"partial", Mode::PARTIAL_GLOBAL},
+                                             {"overlap", Mode::PARTIAL_PARTIAL}};
+  const auto found = modes.find(name);
+  if (found == modes.end())
+    throw UsageError("mode", name, "use auto, global, partial or overlap");
+  return found->second;
+}
+
 pcl::kss::Settings
 settingsOf(const po::variables_map& values)
 {
   pcl::kss::Settings settings;
+  ifGiven(values, "mode", [&](const auto& value) { settings.mode = modeOf(value); });
+  if (values.count("paper"))
+    settings = pcl::kss::paperSettings(settings);
+  if (values.count("no-cleaning"))
+    settings.clean = false;
   settings.estimate_scale = values.count("rigid") == 0;
+  ifGiven(values, "scale-range", [&](const auto& value) {
+    const char* remedy = "use two positive numbers, the smaller one first";
+    const auto space = value.find(' ');
+    if (space == std::string::npos)
+      throw UsageError("scale-range", value, remedy);
+    const double most = std::numeric_limits<double>::max();
+    settings.smallest_scale =
+        number("scale-range", value.substr(0, space), 1e-12, most, remedy);
+    settings.largest_scale = number("scale-range", value.substr(space + 1),
+                                    settings.smallest_scale, most, remedy);
+  });
   ifGiven(values, "points", [&](const auto& value) {
     settings.sample_points =
         wholeNumber("points", value, 20, 1e6, "use a whole number from 20 to 1000000");
   });
   ifGiven(values, "angle-step", [&](const auto& value) {
+    settings.rotation_set = pcl::kss::RotationSet::EULER;
     settings.angle_step =
         number("angle-step", value, 3, 180, "use degrees from 3 to 180") * M_PI / 180.0;
   });
@@ -132,14 +171,16 @@ settingsOf(const po::variables_map& values)
       settings.even_rotations =
           wholeNumber("rotations", value.substr(5), 1, 1e5, remedy);
     }
-    else if (value != "euler")
+    else if (value == "euler")
+      settings.rotation_set = pcl::kss::RotationSet::EULER;
+    else
       throw UsageError("rotations", value, remedy);
   });
   ifGiven(values, "density", [&](const auto& value) {
     if (value != "uniform" && value != "paper")
       throw UsageError("density", value, "use uniform or paper");
-    if (value == "paper")
-      settings.density = pcl::kss::Density::PAPER;
+    settings.density =
+        value == "paper" ? pcl::kss::Density::PAPER : pcl::kss::Density::UNIFORM;
   });
   ifGiven(values, "device", [&](const auto& value) {
     if (value.empty())
@@ -151,6 +192,22 @@ settingsOf(const po::variables_map& values)
                                    "use a whole number up to 1024; 0: all cores");
   });
   return settings;
+}
+
+/** The command line in words, the two values of --scale-range in one: an option has
+ * either one value or all words that follow, files included. */
+std::vector<std::string>
+wordsOf(int argc, const char* const* argv)
+{
+  std::vector<std::string> words;
+  for (int i = 1; i < argc; ++i) {
+    words.push_back(argv[i]);
+    if (words.back() == "--scale-range" && i + 2 < argc) {
+      words.push_back(std::string(argv[i + 1]) + ' ' + argv[i + 2]);
+      i += 2;
+    }
+  }
+  return words;
 }
 
 } // namespace
@@ -166,7 +223,7 @@ parseOptions(int argc, const char* const* argv)
   const int style =
       po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
   po::variables_map values;
-  po::store(po::command_line_parser(argc, argv)
+  po::store(po::command_line_parser(wordsOf(argc, argv))
                 .options(all)
                 .positional(positional)
                 .style(style)

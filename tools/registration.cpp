@@ -29,20 +29,6 @@ localCloud(const Points& points, const Eigen::Vector3d& origin)
   return cloud;
 }
 
-void
-configure(Registration& registration, const pcl::kss::Settings& settings)
-{
-  registration.setNumberOfSamplePoints(settings.sample_points);
-  registration.setDensity(settings.density);
-  registration.setRotationSet(settings.rotation_set);
-  registration.setAngleStep(settings.angle_step);
-  registration.setNumberOfEvenRotations(settings.even_rotations);
-  registration.setScaleEstimation(settings.estimate_scale);
-  registration.setDevice(settings.device);
-  registration.setNumberOfThreads(settings.threads);
-  registration.setProgressCallback(settings.progress);
-}
-
 } // namespace
 
 Result
@@ -55,7 +41,7 @@ registerClouds(const Points& source,
   const Eigen::Vector3d target_origin = localOrigin(target);
 
   Registration registration;
-  configure(registration, settings);
+  registration.setSettings(settings);
   registration.setInputSource(localCloud(source, source_origin));
   registration.setInputTarget(localCloud(target, target_origin));
   Cloud aligned;
@@ -67,9 +53,11 @@ registerClouds(const Points& source,
   for (const auto& pose : registration.getAlternatives())
     result.poses.push_back(
         {fromLocalFrames(pose.transformation, source_origin, target_origin),
-         pose.energy});
+         pose.overlap});
   result.scale = registration.getScale();
-  result.residual = registration.getResidual();
+  result.confidence = registration.getConfidence();
+  result.ambiguous = registration.isAmbiguous();
+  result.mode = registration.getFoundMode();
   result.fitness = registration.getFitnessScore();
   result.device = registration.getDeviceName();
   result.stages = registration.getStageSeconds();

@@ -6,6 +6,7 @@
 
 #include "geometry.h"
 
+#include <pcl/registration/kss/overlap.h>
 #include <pcl/registration/kss/settings.h>
 #include <pcl/registration/kss/stage_seconds.h>
 
@@ -14,10 +15,10 @@
 
 namespace tool {
 
-/** \brief A pose with its energy. */
+/** \brief A pose, and how much of the clouds lies on each other there. */
 struct Pose {
   Eigen::Matrix4d transformation;
-  double energy;
+  pcl::kss::Overlap overlap;
 };
 
 /** \brief What a registration found, in the coordinates of the files. */
@@ -25,12 +26,16 @@ struct Result {
   bool converged;
   /** \brief Why it has not converged. */
   std::string reason;
-  /** \brief All distinct poses by rising energy, the first one the result; none where
+  /** \brief All distinct poses by falling score, the first one the result; none where
    * there is none. */
   std::vector<Pose> poses;
   double scale;
-  /** \brief The mean distance of the clouds in sampling distances. */
-  double residual;
+  /** \brief How sure it is that the pose is right, in [0, 1]. */
+  double confidence;
+  /** \brief Whether the second pose is about as good as the first. */
+  bool ambiguous;
+  /** \brief Which parts of the object the clouds show. */
+  pcl::kss::Mode mode;
   /** \brief The mean squared distance of the source's points from the target. */
   double fitness;
   std::string device;

@@ -4,6 +4,8 @@
 
 #include "report.h"
 
+#include <pcl/registration/kss/confidence.h>
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -39,14 +41,39 @@ table(const Eigen::Matrix4d& matrix)
   return text.str();
 }
 
-/** What the residual of a success means: two samplings of one surface come out near
- * 0.5.
- */
-std::string
-inWords(double residual)
+const char*
+nameOf(pcl::kss::Mode mode)
 {
-  return residual < 0.6 ? "as close as two scans of one surface"
-                        : "close, but for noise or parts that differ";
+  switch (mode) {
+  case pcl::kss::Mode::GLOBAL_GLOBAL:
+    return "global";
+  case pcl::kss::Mode::PARTIAL_GLOBAL:
+    return "partial";
+  case pcl::kss::Mode::PARTIAL_PARTIAL:
+    return "overlap";
+  default:
+    return "auto";
+  }
+}
+
+/** What a mode found says about the clouds. */
+const char*
+inWords(pcl::kss::Mode mode)
+{
+  switch (mode) {
+  case pcl::kss::Mode::GLOBAL_GLOBAL:
+    return "both show the same";
+  case pcl::kss::Mode::PARTIAL_GLOBAL:
+    return "one is a part of the other";
+  default:
+    return "both lack parts of the other";
+  }
+}
+
+nlohmann::ordered_json
+toJSON(const pcl::kss::Overlap& overlap)
+{
+  return {overlap.source, overlap.target};
 }
 
 } // namespace
@@ -72,19 +99,25 @@ reportText(const Result& result)
     report["reason"] = result.reason;
   report["transformation"] = nullptr;
   report["scale"] = nullptr;
-  report["energy"] = nullptr;
-  report["residual"] = result.residual;
+  report["mode"] = nullptr;
+  report["overlap"] = nullptr;
+  report["score"] = nullptr;
+  report["confidence"] = result.confidence;
+  report["ambiguous"] = result.ambiguous;
   report["fitness"] = nullptr;
   report["alternatives"] = nlohmann::ordered_json::array();
   if (!result.poses.empty()) {
     report["transformation"] = toJSON(result.poses.front().transformation);
     report["scale"] = result.scale;
-    report["energy"] = result.poses.front().energy;
+    report["mode"] = nameOf(result.mode);
+    report["overlap"] = toJSON(result.poses.front().overlap);
+    report["score"] = result.poses.front().overlap.score;
     report["fitness"] = result.fitness;
   }
   for (const auto& pose : result.poses)
-    report["alternatives"].push_back(
-        {{"transformation", toJSON(pose.transformation)}, {"energy", pose.energy}});
+    report["alternatives"].push_back({{"transformation", toJSON(pose.transformation)},
+                                      {"overlap", toJSON(pose.overlap)},
+                                      {"score", pose.overlap.score}});
   report["device"] = result.device;
   for (const auto& stage : result.stages)
     report["seconds"][stage.stage] = stage.seconds;
@@ -100,10 +133,11 @@ summaryText(const Result& result)
   std::ostringstream text;
   text << std::setprecision(4) << "Transformation of SOURCE onto TARGET:\n"
        << table(pose.transformation) << "Scale:    " << result.scale
-       << "\nEnergy:   " << pose.energy
-       << "  (largest distance, as a fraction of the target's radius)"
-       << "\nResidual: " << result.residual
-       << "  (mean distance in sampling distances: " << inWords(result.residual) << ")"
+       << "\nOverlap:  " << pcl::kss::percent(pose.overlap.source) << " of SOURCE, "
+       << pcl::kss::percent(pose.overlap.target) << " of TARGET ("
+       << inWords(result.mode) << ")"
+       << "\nSure:     " << pcl::kss::percent(result.confidence)
+       << (result.ambiguous ? ", but another pose is about as good (see --report)" : "")
        << "\nTime:     " << result.seconds << " s on " << result.device << '\n';
   return text.str();
 }
