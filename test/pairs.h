@@ -31,12 +31,22 @@ pairOf(const Eigen::Matrix4d& truth,
       cloudOf<PointTarget>(sampled(mesh, 1800, 2 * seed + 1)), truth};
 }
 
+/** \brief A pair of given points, the source away from where it belongs. */
+inline Pair<>
+pairOf(const Points& source, const Points& target, const Eigen::Matrix4d& truth)
+{
+  return {cloudOf<pcl::PointXYZ>(transformed(source, truth.inverse())),
+          cloudOf<pcl::PointXYZ>(target), truth};
+}
+
 /** \brief Few samples: enough for these shapes. One thread: on a busy machine, threads
- * that wait for each other take many times as long over so little work. */
+ * that wait for each other take many times as long over so little work. Both clouds
+ * complete: what does not hang on the mode need not wait for the others. */
 template <typename Registration>
 void
 makeQuick(Registration& registration)
 {
+  registration.setMode(pcl::kss::Mode::GLOBAL_GLOBAL);
   registration.setNumberOfSamplePoints(200);
   registration.setNumberOfThreads(1);
 }

@@ -6,6 +6,7 @@
 
 #include <pcl/registration/kss/points.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -93,6 +94,23 @@ cross()
                    box({-0.5, 0.0, 0.5}, {0.1, 0.1, 0.9})});
 }
 
+/** \brief A bumpy ball: every part of it is different. */
+inline Mesh
+lump()
+{
+  const auto bulged = [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    const double bumps = 0.25 * std::sin(3.0 * p.x() + 1.0) * std::cos(2.0 * p.y()) +
+                         0.2 * std::sin(4.0 * p.y() - 2.0 * p.z()) +
+                         0.15 * std::cos(5.0 * p.z() + p.x()) +
+                         0.12 * std::sin(6.0 * p.x() - 5.0 * p.y() + 2.0 * p.z());
+    return (1.0 + bumps) * p;
+  };
+  Mesh mesh = ellipsoid({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0});
+  for (Triangle& t : mesh)
+    t = {bulged(t.a), bulged(t.b), bulged(t.c)};
+  return mesh;
+}
+
 /** \brief A flat isosceles triangle: half a turn about its axis, x, maps it onto
  * itself. */
 inline Mesh
@@ -146,6 +164,43 @@ scattered(Eigen::Index number, unsigned int seed)
   for (Eigen::Index i = 0; i < points.size(); ++i)
     points.data()[i] = coordinate(random);
   return points;
+}
+
+/** \brief The share of the points that lies farthest in a direction. */
+inline Points
+part(const Points& points, const Eigen::Vector3f& direction, double share)
+{
+  std::vector<float> along;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    along.push_back(direction.dot(points.col(i)));
+  std::vector<float> sorted = along;
+  std::sort(sorted.begin(), sorted.end());
+  const auto size = static_cast<Eigen::Index>(share * points.cols());
+  const float border = sorted[sorted.size() - size];
+  Points rest(3, 0);
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    if (along[i] >= border) {
+      rest.conservativeResize(3, rest.cols() + 1);
+      rest.rightCols<1>() = points.col(i);
+    }
+  return rest;
+}
+
+/** \brief The points, then as many outliers that they make up a share of all: evenly
+ * scattered over a box half as large again. */
+inline Points
+withOutliers(const Points& points, double share, unsigned int seed)
+{
+  const auto outliers =
+      static_cast<Eigen::Index>(points.cols() * share / (1.0 - share));
+  const Eigen::Vector3f lower = points.rowwise().minCoeff();
+  const Eigen::Vector3f extent = points.rowwise().maxCoeff() - lower;
+  Points all(3, points.cols() + outliers);
+  all.leftCols(points.cols()) = points;
+  all.rightCols(outliers) =
+      ((1.5f * extent).asDiagonal() * scattered(outliers, seed)).colwise() +
+      (lower - 0.25f * extent);
+  return all;
 }
 
 inline double

@@ -121,6 +121,14 @@ TEST(EulerRotations, HaveNeighboursAllAround)
         }
 }
 
+TEST(EulerRotations, TakeEvenKernelsAsTheNextOddOne)
+{
+  const EulerRotations candidates(paper_step);
+  for (const std::size_t i : {0u, 700u, 1727u})
+    for (const unsigned int kernel : {2u, 4u, 6u})
+      EXPECT_EQ(candidates.neighbours(i, kernel + 1), candidates.neighbours(i, kernel));
+}
+
 TEST(EulerRotations, HaveEachNeighbourOnceWhereTheKernelIsWiderThanTheCircle)
 {
   const EulerRotations candidates(M_PI / 2.0);
@@ -164,8 +172,8 @@ TEST(EvenRotations, HaveABallOfNeighbours)
   const EvenRotations candidates(1728);
   const auto& rotations = candidates.rotations();
   const double step = std::cbrt(8.0 * M_PI * M_PI / 1728.0);
-  for (const unsigned int kernel : {3u, 5u, 7u}) {
-    const double radius = kernel / 2 * step;
+  for (const unsigned int kernel : {3u, 4u, 5u, 7u}) {
+    const double radius = 0.5 * (kernel - 1.0) * step;
     for (const std::size_t i : {0u, 1u, 863u, 1727u}) {
       std::vector<std::size_t> expected;
       for (std::size_t j = 0; j < rotations.size(); ++j)
@@ -179,7 +187,7 @@ TEST(EvenRotations, HaveABallOfNeighbours)
     double mean = 0.0;
     for (std::size_t i = 0; i < rotations.size(); i += 8)
       mean += candidates.neighbours(i, kernel).size() / 216.0;
-    const double room = 4.0 / 3.0 * M_PI * std::pow(kernel / 2, 3) - 1.0;
+    const double room = 4.0 / 3.0 * M_PI * std::pow(0.5 * (kernel - 1.0), 3) - 1.0;
     EXPECT_NEAR(room, mean, 0.3 * room) << kernel;
   }
 }
@@ -209,7 +217,13 @@ TEST(CandidateRotations, LeaveNoRotationFar)
 TEST(CandidateRotations, AreThoseTheSettingsAskFor)
 {
   Settings settings;
-  EXPECT_EQ(1728u, candidateRotations(settings)->rotations().size());
+  const auto by_default = candidateRotations(settings);
+  EXPECT_EQ(1728u, by_default->rotations().size());
+  EXPECT_NE(nullptr, dynamic_cast<const EvenRotations*>(by_default.get()));
+  const auto of_the_paper = candidateRotations(paperSettings(settings));
+  EXPECT_EQ(1728u, of_the_paper->rotations().size());
+  EXPECT_NE(nullptr, dynamic_cast<const EulerRotations*>(of_the_paper.get()));
+  settings.rotation_set = RotationSet::EULER;
   settings.angle_step = M_PI / 2.0;
   EXPECT_EQ(64u, candidateRotations(settings)->rotations().size());
   settings.rotation_set = RotationSet::EVEN;

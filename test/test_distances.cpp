@@ -4,12 +4,16 @@
 
 #include "poses.h"
 
-#include <pcl/registration/kss/hausdorff.h>
+#include <pcl/registration/kss/distances.h>
 #include <pcl/registration/kss/opencl_devices.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdlib>
 #include <limits>
+
+#include <unistd.h>
 
 namespace {
 
@@ -20,9 +24,11 @@ struct Distances {
   double farthest = 0.0, mean = 0.0;
 };
 
+constexpr float no_limit = std::numeric_limits<float>::max();
+
 /** From every point of one cloud to the other, by the definition. */
 Distances
-directed(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to)
+directed(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, double limit)
 {
   Distances distances;
   for (Eigen::Index i = 0; i < from.cols(); ++i) {
@@ -30,22 +36,24 @@ directed(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to)
     for (Eigen::Index j = 0; j < to.cols(); ++j)
       nearest = std::min(nearest, (from.col(i) - to.col(j)).norm());
     distances.farthest = std::max(distances.farthest, nearest);
-    distances.mean += nearest / from.cols();
+    distances.mean += std::min(nearest, limit) / from.cols();
   }
   return distances;
 }
 
 /** Whether the evaluator's distances are those of the definition. */
 void
-expectRight(const HausdorffDistances& found,
+expectRight(const DirectedDistances& found,
             const Points& source,
             const Points& target,
-            const Placement& placement)
+            const Placement& placement,
+            float limit = no_limit)
 {
   const Eigen::Matrix3Xd placed =
       placement.cast<double>() * source.cast<double>().colwise().homogeneous();
   const Eigen::Matrix3Xd fixed = target.cast<double>();
-  const Distances there = directed(placed, fixed), back = directed(fixed, placed);
+  const Distances there = directed(placed, fixed, limit);
+  const Distances back = directed(fixed, placed, limit);
   // A placed coordinate is the sum of four float products, each rounded to 6e-8 of the
   // largest coordinate; a mean of up to 2000 lengths adds up to 1e-5 of itself.
   const double largest =
@@ -72,8 +80,8 @@ randomPlacements(std::size_t number, unsigned int seed)
 }
 
 bool
-sameBits(const std::vector<HausdorffDistances>& a,
-         const std::vector<HausdorffDistances>& b)
+sameBits(const std::vector<DirectedDistances>& a,
+         const std::vector<DirectedDistances>& b)
 {
   if (a.size() != b.size())
     return false;
@@ -86,9 +94,9 @@ sameBits(const std::vector<HausdorffDistances>& a,
   return true;
 }
 
-using MakeEvaluator = std::unique_ptr<HausdorffEvaluator> (*)(unsigned int threads);
+using MakeEvaluator = std::unique_ptr<DistanceEvaluator> (*)(unsigned int threads);
 
-std::unique_ptr<HausdorffEvaluator>
+std::unique_ptr<DistanceEvaluator>
 onOpenCL(unsigned int threads)
 {
   return makeOpenCLEvaluator("auto", threads);
@@ -103,7 +111,7 @@ protected:
       GTEST_SKIP() << "There is no OpenCL device on this machine.";
   }
 
-  std::unique_ptr<HausdorffEvaluator>
+  std::unique_ptr<DistanceEvaluator>
   make(unsigned int threads = 0) const
   {
     return GetParam()(threads);
@@ -167,9 +175,10 @@ TEST_P(Evaluator, FindsNoDistanceBetweenACloudAndItself)
   const auto evaluator = make();
   evaluator->setClouds(cloud, cloud);
   const Placement identity = Eigen::Matrix4f::Identity().topRows<3>();
-  const HausdorffDistances found = evaluator->evaluate({identity}).front();
+  const DirectedDistances found = evaluator->evaluate({identity}).front();
   EXPECT_EQ(0.0f, found.hausdorff());
-  EXPECT_EQ(0.0f, found.mean());
+  EXPECT_EQ(0.0f, found.mean_source_to_target);
+  EXPECT_EQ(0.0f, found.mean_target_to_source);
 }
 
 TEST_P(Evaluator, TellsTheTwoDirectionsApart)
@@ -181,13 +190,12 @@ TEST_P(Evaluator, TellsTheTwoDirectionsApart)
   const auto evaluator = make();
   const Placement identity = Eigen::Matrix4f::Identity().topRows<3>();
   evaluator->setClouds(whole.leftCols(10), whole);
-  HausdorffDistances found = evaluator->evaluate({identity}).front();
+  DirectedDistances found = evaluator->evaluate({identity}).front();
   EXPECT_EQ(0.0f, found.source_to_target);
   EXPECT_EQ(10.0f, found.target_to_source);
   EXPECT_EQ(0.0f, found.mean_source_to_target);
   EXPECT_FLOAT_EQ(55.0f / 20.0f, found.mean_target_to_source);
   EXPECT_EQ(10.0f, found.hausdorff());
-  EXPECT_FLOAT_EQ(0.5f * 55.0f / 20.0f, found.mean());
   // clouds can be replaced, by larger and smaller ones
   evaluator->setClouds(whole, whole.leftCols(10));
   found = evaluator->evaluate({identity}).front();
@@ -195,11 +203,35 @@ TEST_P(Evaluator, TellsTheTwoDirectionsApart)
   EXPECT_EQ(0.0f, found.target_to_source);
 }
 
+TEST_P(Evaluator, CountsNoDistanceBeyondTheLimit)
+{
+  const auto evaluator = make();
+  const auto placements = randomPlacements(5, 12);
+  const Points source = sampled(creature(), 301, 13);
+  const Points target = sampled(cross(), 203, 14);
+  for (const float limit : {0.01f, 0.1f, 0.3f, 5.0f}) {
+    evaluator->setClouds(source, target, limit);
+    const auto found = evaluator->evaluate(placements);
+    for (std::size_t i = 0; i < placements.size(); ++i) {
+      SCOPED_TRACE(::testing::Message() << "limit " << limit);
+      expectRight(found[i], source, target, placements[i], limit);
+      EXPECT_LE(found[i].mean_source_to_target, limit * 1.00001f);
+      EXPECT_LE(found[i].mean_target_to_source, limit * 1.00001f);
+      // the largest distance is not cut
+      EXPECT_GT(found[i].hausdorff(), 0.3f);
+    }
+  }
+  // and none is forgotten when there is no limit any more
+  evaluator->setClouds(source, target);
+  expectRight(evaluator->evaluate(placements).front(), source, target,
+              placements.front());
+}
+
 TEST_P(Evaluator, GivesTheSameBitsWithAnyNumberOfThreads)
 {
   const Points source = sampled(creature(), 333, 9), target = sampled(cross(), 222, 10);
   const auto placements = randomPlacements(200, 11);
-  std::vector<HausdorffDistances> first;
+  std::vector<DirectedDistances> first;
   for (const unsigned int threads : {1u, 1u, 2u, 0u}) {
     const auto evaluator = make(threads);
     evaluator->setClouds(source, target);
@@ -213,11 +245,170 @@ TEST_P(Evaluator, GivesTheSameBitsWithAnyNumberOfThreads)
 INSTANTIATE_TEST_SUITE_P(Host, Evaluator, ::testing::Values(&makeHostEvaluator));
 INSTANTIATE_TEST_SUITE_P(OpenCL, Evaluator, ::testing::Values(&onOpenCL));
 
+using MakeLookUps = std::unique_ptr<DistanceEvaluator> (*)(unsigned int threads,
+                                                           unsigned int probes);
+
+std::unique_ptr<DistanceEvaluator>
+lookUpsOnOpenCL(unsigned int threads, unsigned int probes)
+{
+  return makeOpenCLLookUpEvaluator("auto", threads, probes);
+}
+
+class LookUps : public ::testing::TestWithParam<MakeLookUps> {
+protected:
+  void
+  SetUp() override
+  {
+    if (GetParam() == lookUpsOnOpenCL && openCLDeviceNames().empty())
+      GTEST_SKIP() << "There is no OpenCL device on this machine.";
+  }
+
+  std::unique_ptr<DistanceEvaluator>
+  make(unsigned int probes, unsigned int threads = 0) const
+  {
+    return GetParam()(threads, probes);
+  }
+
+  /** How far a looked-up distance may be off: half a diagonal of a cell, which is 0.35
+   * limits wide and no finer than a fiftieth of the cloud. */
+  static double
+  roughness(const Points& cloud, double limit)
+  {
+    const double extent =
+        (cloud.rowwise().maxCoeff() - cloud.rowwise().minCoeff()).maxCoeff();
+    return 0.5 * std::sqrt(3.0) *
+           std::max(0.35 * std::min(limit, 0.25 * extent), 0.02 * extent);
+  }
+};
+
+TEST_P(LookUps, AreAsRightAsACellIsSmall)
+{
+  // the probes are the first points; around the widths of vectors and groups
+  const Points source = sampled(creature(), 700, 15);
+  const Points target = sampled(cross(), 900, 16);
+  const auto placements = randomPlacements(60, 17);
+  for (const unsigned int probes : {1u, 7u, 8u, 9u, 96u, 2000u})
+    for (const float limit : {0.05f, 0.35f}) {
+      const auto evaluator = make(probes);
+      evaluator->setClouds(source, target, limit);
+      const auto found = evaluator->evaluate(placements);
+      ASSERT_EQ(placements.size(), found.size());
+      double bias = 0.0;
+      const double rough = std::max(roughness(source, limit), roughness(target, limit));
+      for (std::size_t i = 0; i < placements.size(); ++i) {
+        SCOPED_TRACE(::testing::Message() << probes << " probes, limit " << limit);
+        const auto probesOf = [&](const Points& cloud) -> Eigen::Matrix3Xd {
+          return cloud.leftCols(std::min<Eigen::Index>(probes, cloud.cols()))
+              .cast<double>();
+        };
+        const Eigen::Matrix3Xd placed = placements[i].cast<double>() *
+                                        source.cast<double>().colwise().homogeneous();
+        const Distances there = directed(placed.leftCols(probesOf(source).cols()),
+                                         target.cast<double>(), limit);
+        const Distances back = directed(probesOf(target), placed, limit);
+        const double scale = placements[i].leftCols<1>().norm();
+        EXPECT_NEAR(there.mean, found[i].mean_source_to_target,
+                    roughness(target, limit) + 1e-5);
+        EXPECT_NEAR(back.mean, found[i].mean_target_to_source,
+                    scale * roughness(source, limit) + 1e-5);
+        bias += (found[i].mean_source_to_target - there.mean) / placements.size();
+      }
+      // Centres of cells lie as often too near as too far; hardly on a surface, though.
+      EXPECT_LT(std::abs(bias), 0.5 * rough);
+    }
+}
+
+TEST_P(LookUps, FindTheRightPlacement)
+{
+  // what they are for: to rank placements as all pairs of points would
+  const Points cloud = sampled(creature(), 500, 18);
+  auto placements = randomPlacements(300, 19);
+  placements.push_back(Eigen::Matrix4f::Identity().topRows<3>());
+  const auto evaluator = make(96);
+  evaluator->setClouds(cloud, sampled(creature(), 500, 20), 0.35f);
+  const auto found = evaluator->evaluate(placements);
+  const auto energy = [](const DirectedDistances& d) {
+    return d.mean_source_to_target + d.mean_target_to_source;
+  };
+  for (std::size_t i = 0; i + 1 < found.size(); ++i)
+    EXPECT_LT(1.3f * energy(found.back()), energy(found[i])) << i;
+}
+
+TEST_P(LookUps, GiveTheSameBitsWithAnyNumberOfThreads)
+{
+  const Points source = sampled(creature(), 333, 21);
+  const Points target = sampled(cross(), 222, 22);
+  const auto placements = randomPlacements(500, 23);
+  std::vector<DirectedDistances> first;
+  for (const unsigned int threads : {1u, 1u, 2u, 0u}) {
+    const auto evaluator = make(96, threads);
+    evaluator->setClouds(source, target, 0.35f);
+    const auto found = evaluator->evaluate(placements);
+    if (first.empty())
+      first = found;
+    EXPECT_TRUE(sameBits(first, found)) << threads << " threads";
+  }
+  EXPECT_TRUE(make(96)->deviceName() != "");
+}
+
+TEST_P(LookUps, AreTheSameOnAllDevices)
+{
+  const Points source = sampled(creature(), 400, 24);
+  const Points target = sampled(cross(), 500, 25);
+  const auto placements = randomPlacements(500, 26);
+  const auto reference = makeHostLookUpEvaluator(1, 100), other = make(100);
+  reference->setClouds(source, target, 0.35f);
+  other->setClouds(source, target, 0.35f);
+  const auto expected = reference->evaluate(placements);
+  const auto found = other->evaluate(placements);
+  for (std::size_t i = 0; i < placements.size(); ++i) {
+    // on the border of two cells rounding decides: one or two of the 100 points at most
+    EXPECT_NEAR(expected[i].mean_source_to_target, found[i].mean_source_to_target,
+                0.005f);
+    EXPECT_NEAR(expected[i].mean_target_to_source, found[i].mean_target_to_source,
+                0.005f);
+  }
+}
+
+TEST_P(LookUps, WorkForFlatClouds)
+{
+  const Points source = sampled(pennant(), 300, 27);
+  const Points target = sampled(pennant(), 300, 28);
+  const auto evaluator = make(96);
+  evaluator->setClouds(source, target, 0.2f);
+  const Placement identity = Eigen::Matrix4f::Identity().topRows<3>();
+  const DirectedDistances found = evaluator->evaluate({identity}).front();
+  EXPECT_LT(found.mean_source_to_target, roughness(target, 0.2) + 0.05);
+  EXPECT_LT(found.mean_target_to_source, roughness(source, 0.2) + 0.05);
+}
+
+TEST(LookUpsDeathTest, AreMadeOfASinglePointInNoTime)
+{
+  // a point is all that setClouds() asks for
+  EXPECT_EXIT(
+      {
+        alarm(5);
+        const Points one = Points::Constant(3, 1, 0.5f);
+        const auto evaluator = makeHostLookUpEvaluator(1, 96);
+        evaluator->setClouds(one, one, 0.35f);
+        const Placement identity = Eigen::Matrix4f::Identity().topRows<3>();
+        const DirectedDistances found = evaluator->evaluate({identity}).front();
+        std::exit(found.mean_source_to_target <= 0.35f ? 0 : 1);
+      },
+      ::testing::ExitedWithCode(0), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Host, LookUps, ::testing::Values(&makeHostLookUpEvaluator));
+INSTANTIATE_TEST_SUITE_P(OpenCL, LookUps, ::testing::Values(&lookUpsOnOpenCL));
+
 TEST(Device, IsTheOneAskedFor)
 {
   Settings settings;
   settings.device = "host";
   EXPECT_EQ("host", makeEvaluator(settings)->deviceName());
+  settings.search = Search::BRUTE_FORCE;
+  EXPECT_EQ("host", makeEvaluator(settings)->deviceName());
+  settings.search = Search::LOOK_UP;
   const auto names = openCLDeviceNames();
   if (names.empty())
     GTEST_SKIP() << "There is no OpenCL device on this machine.";
@@ -258,7 +449,10 @@ TEST(NoDevice, LeavesTheWorkToTheHost)
   EXPECT_EQ("host", makeEvaluator(settings)->deviceName());
   settings.device = "pthread";
   EXPECT_THROW(makeEvaluator(settings), DeviceError);
+  settings.search = Search::BRUTE_FORCE;
+  EXPECT_THROW(makeEvaluator(settings), DeviceError);
   EXPECT_THROW(makeOpenCLEvaluator("auto", 0), DeviceError);
+  EXPECT_THROW(makeOpenCLLookUpEvaluator("auto", 0, 96), DeviceError);
 }
 
 } // namespace

@@ -119,7 +119,7 @@ TEST(KSSICP, RegistersWithoutAGuess)
   }
 }
 
-TEST(KSSICP, RegistersWithItsDefaultsAndTheEvenSet)
+TEST(KSSICP, RegistersWithItsDefaultsAndTheEulerGrid)
 {
   const auto pair = pairOf(randomSimilarity(5));
   KSSICP registration;
@@ -129,7 +129,7 @@ TEST(KSSICP, RegistersWithItsDefaultsAndTheEvenSet)
   EXPECT_TRUE(registration.hasConverged());
   expectRight(registration, pair);
   makeQuick(registration);
-  registration.setRotationSet(pcl::kss::RotationSet::EVEN);
+  registration.setRotationSet(pcl::kss::RotationSet::EULER);
   registration.setDensity(pcl::kss::Density::PAPER);
   registration.align(output);
   EXPECT_TRUE(registration.hasConverged());
@@ -141,21 +141,26 @@ TEST(KSSICP, TellsHowItWent)
   const auto pair = pairOf(randomSimilarity(6));
   Trial trial(pair);
   auto& registration = trial.registration;
-  EXPECT_TRUE(std::isnan(registration.getFinalEnergy()));
-  EXPECT_TRUE(std::isnan(registration.getResidual()));
+  EXPECT_EQ(0.0, registration.getOverlap().score);
+  EXPECT_EQ(0.0, registration.getOverlap().source);
+  EXPECT_EQ(0.0, registration.getOverlap().target);
+  EXPECT_LT(registration.getConfidence(), 1e-3);
+  EXPECT_FALSE(registration.isAmbiguous());
   EXPECT_FALSE(registration.hasConverged());
   trial.align();
 
   const auto& alternatives = registration.getAlternatives();
   ASSERT_FALSE(alternatives.empty());
   EXPECT_EQ(poseFrom(registration), alternatives.front().transformation);
-  EXPECT_EQ(registration.getFinalEnergy(), alternatives.front().energy);
-  // the result, then the others by rising energy
+  EXPECT_EQ(registration.getOverlap().score, alternatives.front().overlap.score);
+  // the result, then the others by falling score
   for (std::size_t i = 2; i < alternatives.size(); ++i)
-    EXPECT_LE(alternatives[i - 1].energy, alternatives[i].energy);
-  EXPECT_GT(registration.getFinalEnergy(), 0.0);
-  EXPECT_LT(registration.getResidual(), 1.0);
-  EXPECT_GT(registration.getResidual(), 0.2);
+    EXPECT_GE(alternatives[i - 1].overlap.score, alternatives[i].overlap.score);
+  EXPECT_NEAR(1.5, registration.getOverlap().score, 0.15);
+  EXPECT_GT(registration.getOverlap().source, 0.95);
+  EXPECT_GT(registration.getOverlap().target, 0.95);
+  EXPECT_GT(registration.getConfidence(), 0.99);
+  EXPECT_FALSE(registration.isAmbiguous());
   EXPECT_FALSE(registration.getDeviceName().empty());
 
   std::vector<std::string> stages;
@@ -163,7 +168,7 @@ TEST(KSSICP, TellsHowItWent)
     stages.push_back(stage.stage);
     EXPECT_GE(stage.seconds, 0.0);
   }
-  EXPECT_EQ((std::vector<std::string>{"simplification", "search", "minima",
+  EXPECT_EQ((std::vector<std::string>{"preparation", "simplification", "search",
                                       "refinement", "hand-off"}),
             stages);
   registration.setDevice("host");
@@ -463,9 +468,10 @@ TEST(KSSICP, GivesTheSameBitsWithAnyNumberOfThreads)
       trial.registration.setDevice(device);
       trial.registration.setNumberOfThreads(threads);
       EXPECT_EQ(expected, trial.align()) << device << ", " << threads << " threads";
-      EXPECT_EQ(first.registration.getFinalEnergy(),
-                trial.registration.getFinalEnergy());
-      EXPECT_EQ(first.registration.getResidual(), trial.registration.getResidual());
+      EXPECT_EQ(first.registration.getOverlap().score,
+                trial.registration.getOverlap().score);
+      EXPECT_EQ(first.registration.getAlternatives().size(),
+                trial.registration.getAlternatives().size());
     }
   }
 }
@@ -537,7 +543,7 @@ TEST(KSSICP, MakesUseOfAGuess)
 
 TEST(KSSICP, IsNeverWorseThanICPFromTheGuess)
 {
-  // The pennant has two poses of nearly the same energy: chance alone ranks them.
+  // The pennant has two poses of nearly the same score: chance alone ranks them.
   std::mt19937 random(26);
   for (unsigned int seed = 0; seed < 6; ++seed) {
     const Mesh mesh = seed < 3 ? creature() : pennant();
@@ -555,18 +561,17 @@ TEST(KSSICP, IsNeverWorseThanICPFromTheGuess)
     Trial trial(pair);
     trial.align(guess);
     pcl::kss::Settings settings;
-    settings.sample_points = trial.registration.getNumberOfSamplePoints();
-    settings.threads = 1;
+    settings = trial.registration.getSettings();
     pcl::kss::Alignment judge(settings);
     const auto local = [](const Cloud& cloud) {
       return pcl::kss::toLocalCloud(cloud, pcl::kss::finiteIndices(cloud));
     };
     judge.setClouds(local(*pair.source), local(*pair.target), 1.0);
-    const double ours = judge.judge(poseFrom(trial.registration)).energy;
-    const double theirs = judge.judge(poseFrom(icp)).energy;
+    const double ours = judge.judge(poseFrom(trial.registration)).overlap.score;
+    const double theirs = judge.judge(poseFrom(icp)).overlap.score;
     // the same run of ICP but for the order of rounding
-    EXPECT_LT(ours, theirs + 1e-4);
-    EXPECT_NEAR(ours, trial.registration.getFinalEnergy(), 1e-6);
+    EXPECT_GT(ours, theirs - 1e-3);
+    EXPECT_NEAR(ours, trial.registration.getOverlap().score, 1e-6);
   }
 }
 
@@ -630,8 +635,8 @@ TEST(KSSICP, ReportsItsProgress)
     EXPECT_LE(share, 1.0);
     done[stage] = share;
   });
-  const std::vector<std::string> stages{"simplification", "search", "refinement",
-                                        "hand-off"};
+  const std::vector<std::string> stages{"preparation", "simplification", "search",
+                                        "refinement", "hand-off"};
   trial.align();
   EXPECT_EQ(stages, order);
   for (const auto& stage : done)
@@ -640,6 +645,12 @@ TEST(KSSICP, ReportsItsProgress)
   order.clear();
   done.clear();
   trial.align(pair.truth);
+  EXPECT_EQ(stages, order);
+  // nor does the additional process start anew
+  order.clear();
+  done.clear();
+  trial.registration.setAdditionalProcessThreshold(1e-6);
+  trial.align();
   EXPECT_EQ(stages, order);
   trial.registration.setProgressCallback({});
   trial.align();
@@ -664,18 +675,64 @@ TEST(KSSICP, RefusesNonsenseAndKeepsWhatItHad)
   r.setNumberOfEvenRotations(0);
   EXPECT_EQ(50u, r.getNumberOfEvenRotations());
   r.setLocalMinimumKernel(7);
-  for (const unsigned int edge : {0u, 1u, 2u, 4u})
+  for (const unsigned int edge : {0u, 1u, 2u})
     r.setLocalMinimumKernel(edge);
   EXPECT_EQ(7u, r.getLocalMinimumKernel());
+  r.setLocalMinimumKernel(4);
+  EXPECT_EQ(4u, r.getLocalMinimumKernel());
   r.setAdditionalProcessThreshold(0.5);
   for (const double threshold : {-1e-9, nan})
     r.setAdditionalProcessThreshold(threshold);
   EXPECT_EQ(0.5, r.getAdditionalProcessThreshold());
-  r.setMaximumResidual(2.0);
-  for (const double multiple : {0.0, -1.0, nan})
-    r.setMaximumResidual(multiple);
-  EXPECT_EQ(2.0, r.getMaximumResidual());
+  EXPECT_EQ(0.5, r.getMinimumConfidence());
+  r.setMinimumConfidence(0.8);
+  for (const double confidence : {-0.1, 1.1, nan})
+    r.setMinimumConfidence(confidence);
+  EXPECT_EQ(0.8, r.getMinimumConfidence());
+  r.setMinimumConfidence(0.0);
+  EXPECT_EQ(0.0, r.getMinimumConfidence());
+  r.setMinimumConfidence(1.0);
+  EXPECT_EQ(1.0, r.getMinimumConfidence());
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(0.0, r.getSmallestScale());
+  EXPECT_EQ(infinity, r.getLargestScale());
+  r.setScaleRange(0.5, 2.0);
+  const std::pair<double, double> ranges[] = {
+      {-1.0, 2.0}, {3.0, 2.0}, {0.0, 0.0}, {nan, 2.0}, {1.0, nan}};
+  for (const auto& range : ranges)
+    r.setScaleRange(range.first, range.second);
+  EXPECT_EQ(0.5, r.getSmallestScale());
+  EXPECT_EQ(2.0, r.getLargestScale());
+  r.setScaleRange(1.5, 1.5);
+  EXPECT_EQ(1.5, r.getSmallestScale());
+  EXPECT_EQ(1.5, r.getLargestScale());
+  // all at once: each value that a setter would refuse stays as it was
+  pcl::kss::Settings settings = r.getSettings();
+  settings.sample_points = 3;
+  settings.angle_step = nan;
+  settings.even_rotations = 0;
+  settings.local_minimum_kernel = 2;
+  settings.additional_process_threshold = -1.0;
+  settings.smallest_scale = 5.0;
+  settings.clean = false;
+  r.setSettings(settings);
+  EXPECT_EQ(20u, r.getNumberOfSamplePoints());
+  EXPECT_EQ(0.4, r.getAngleStep());
+  EXPECT_EQ(50u, r.getNumberOfEvenRotations());
+  EXPECT_EQ(4u, r.getLocalMinimumKernel());
+  EXPECT_EQ(0.5, r.getAdditionalProcessThreshold());
+  EXPECT_EQ(1.5, r.getSmallestScale());
+  EXPECT_FALSE(r.getCleaning());
+  r.setSettings(pcl::kss::paperSettings(r.getSettings()));
+  EXPECT_EQ(pcl::kss::Mode::GLOBAL_GLOBAL, r.getMode());
+  EXPECT_EQ(pcl::kss::RotationSet::EULER, r.getRotationSet());
+  EXPECT_EQ(2000u, r.getNumberOfSamplePoints());
   // and the settings that cannot be wrong
+  r.setMode(pcl::kss::Mode::PARTIAL_PARTIAL);
+  EXPECT_EQ(pcl::kss::Mode::PARTIAL_PARTIAL, r.getMode());
+  EXPECT_EQ(pcl::kss::Mode::PARTIAL_PARTIAL, r.getFoundMode());
+  r.setCleaning(true);
+  EXPECT_TRUE(r.getCleaning());
   r.setDensity(pcl::kss::Density::PAPER);
   EXPECT_EQ(pcl::kss::Density::PAPER, r.getDensity());
   r.setRotationSet(pcl::kss::RotationSet::EVEN);

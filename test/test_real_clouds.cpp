@@ -1,9 +1,9 @@
 /*
  * SPDX-License-Identifier: BSD-3-Clause
  *
- * KSSICP on real scans: complete objects have to be registered, incomplete ones have to
- * be registered or refused. A wrong pose that is called converged is the one thing that
- * must not come out.
+ * KSSICP on real scans: complete objects and those that share enough have to be
+ * registered, the others have to be registered or refused. A wrong pose that is called
+ * converged is the one thing that must not come out.
  */
 
 #include "pairs.h"
@@ -87,9 +87,19 @@ protected:
     return icp.getFinalTransformation().cast<double>();
   }
 
+  /** \brief Whether the claim, if there is one, is true; and it has to be made. */
+  void
+  expectRight(const Pair<>& pair, const std::string& name) const
+  {
+    // bun000 and bun270 share too little to be sure
+    expectRightOrRefused(pair, name, name != "bun000 on bun270");
+  }
+
   /** \brief Whether the claim, if there is one, is true. */
   void
-  expectRightOrRefused(const Pair<>& pair, const std::string& name) const
+  expectRightOrRefused(const Pair<>& pair,
+                       const std::string& name,
+                       bool has_to_converge = false) const
   {
     KSSICP registration;
     registration.setNumberOfSamplePoints(1000);
@@ -104,7 +114,13 @@ protected:
     const double turned = rotationErrorDegrees(pose, pair.truth);
     std::cout << name << ": " << (registration.hasConverged() ? "converged" : "refused")
               << ", " << turned << " degrees, " << 100.0 * off
-              << " % of the diagonal, residual " << registration.getResidual() << '\n';
+              << " % of the diagonal, overlap " << registration.getOverlap().source
+              << " and " << registration.getOverlap().target << ", score "
+              << registration.getOverlap().score << '\n';
+    if (has_to_converge) {
+      EXPECT_TRUE(registration.hasConverged())
+          << name << ": " << registration.getFailureReason();
+    }
     if (!registration.hasConverged()) {
       EXPECT_FALSE(registration.getFailureReason().empty()) << name;
       return;
@@ -149,7 +165,7 @@ TEST_F(RealClouds, CompleteObjectsAreRegistered)
     }
 }
 
-TEST_F(RealClouds, ScansOfTheBunnyAreRegisteredOrRefused)
+TEST_F(RealClouds, ScansOfTheBunnyAreRegistered)
 {
   // from nine tenths in common to hardly more than a third
   const std::pair<const char*, const char*> scans[] = {
@@ -160,9 +176,9 @@ TEST_F(RealClouds, ScansOfTheBunnyAreRegisteredOrRefused)
     const std::string folder = "pairs/bunny/", from = names.first, to = names.second;
     const Eigen::Matrix4d pose = loadPose(folder + to + ".T_world.txt").inverse() *
                                  loadPose(folder + from + ".T_world.txt");
-    expectRightOrRefused(turnedPair(load(folder + from + ".pcd", 6),
-                                    load(folder + to + ".pcd", 6), pose, seed++),
-                         from + " on " + to);
+    expectRight(turnedPair(load(folder + from + ".pcd", 6),
+                           load(folder + to + ".pcd", 6), pose, seed++),
+                from + " on " + to);
   }
 }
 
@@ -176,11 +192,11 @@ TEST_F(RealClouds, OtherPairsAreRegisteredOrRefused)
     expectRightOrRefused(turnedPair(load(name + "_source.pcd", named.second),
                                     load(name + "_target.pcd", named.second),
                                     loadPose(name + "_T_icp.txt"), seed++),
-                         named.first);
+                         named.first, named.first == std::string("cgal_hippo"));
   }
 }
 
-TEST_F(RealClouds, DifferentObjectsAreRefused)
+TEST_F(RealClouds, DifferentObjectsAreRefusedOrAmbiguous)
 {
   const std::pair<const char*, std::size_t> objects[] = {
       {"kitten_points", 1}, {"oni_points", 1}, {"ball_points", 6}};
@@ -194,9 +210,11 @@ TEST_F(RealClouds, DifferentObjectsAreRefused)
     registration.setInputTarget(object(i + 1));
     Cloud output;
     registration.align(output);
-    EXPECT_FALSE(registration.hasConverged())
-        << objects[i].first << " on " << objects[(i + 1) % 3].first << ", residual "
-        << registration.getResidual() << ", scale " << registration.getScale();
+    // Round things of unknown scale lie on each other here and there, but nowhere
+    // better than elsewhere.
+    EXPECT_TRUE(!registration.hasConverged() || registration.isAmbiguous())
+        << objects[i].first << " on " << objects[(i + 1) % 3].first << ", score "
+        << registration.getOverlap().score << ", scale " << registration.getScale();
   }
 }
 

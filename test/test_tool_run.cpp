@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <random>
 #include <set>
 #include <sstream>
 
@@ -31,20 +32,40 @@ std::string tool_path;
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/** A closed surface without any symmetry. */
+constexpr int blob_points = 1500;
+
+/** A point of a closed surface without any symmetry. */
+Eigen::Vector3d
+onBlob(double z, double angle)
+{
+  const double radius = std::sqrt(1.0 - z * z);
+  const Eigen::Vector3d p(radius * std::cos(angle), radius * std::sin(angle), z);
+  return p * (1.0 + 0.5 * p.x() * p.y() + 0.4 * std::pow(p.z(), 3) + 0.3 * p.x());
+}
+
+/** Random points of it: ICP would lock into the regular pattern of a lattice, a few
+ * points beside the right place. */
 Points
 blob()
 {
-  const int number = 1500;
+  std::mt19937 random(1);
+  const auto uniform = [&] { return random() / 4294967296.0; };
   Points points;
-  for (int i = 0; i < number; ++i) {
-    const double z = 1.0 - (2.0 * i + 1.0) / number;
-    const double angle = i * M_PI * (3.0 - std::sqrt(5.0));
-    const double radius = std::sqrt(1.0 - z * z);
-    const Eigen::Vector3d p(radius * std::cos(angle), radius * std::sin(angle), z);
-    points.push_back(
-        p * (1.0 + 0.5 * p.x() * p.y() + 0.4 * std::pow(p.z(), 3) + 0.3 * p.x()));
+  for (int i = 0; i < blob_points; ++i) {
+    const double z = 2.0 * uniform() - 1.0;
+    points.push_back(onBlob(z, 2.0 * M_PI * uniform()));
   }
+  return points;
+}
+
+/** A lattice of it: the points 13 and 21 places on are neighbours. */
+Points
+latticeOfBlob()
+{
+  Points points;
+  for (int i = 0; i < blob_points; ++i)
+    points.push_back(
+        onBlob(1.0 - (2.0 * i + 1.0) / blob_points, i * M_PI * (3.0 - std::sqrt(5.0))));
   return points;
 }
 
@@ -211,7 +232,7 @@ TEST_F(ToolRun, RegistersAcrossScaleAndWorld)
       search("source.xyz target.xyz aligned.xyz --transform t.txt --report r.json");
   ASSERT_EQ(0, result.status) << result.errors;
   EXPECT_EQ("", result.errors);
-  for (const char* word : {"Transformation", "Scale", "Energy", "Residual", "host"})
+  for (const char* word : {"Transformation", "Scale", "Overlap", "Sure", "host"})
     EXPECT_NE(std::string::npos, result.output.find(word)) << word;
 
   // The scale comes from the search alone, which is the coarser part.
@@ -234,17 +255,31 @@ TEST_F(ToolRun, RegistersAcrossScaleAndWorld)
   EXPECT_NEAR(2.5, report.at("scale").get<double>(), 0.1);
   EXPECT_NEAR(std::cbrt(written.topLeftCorner<3, 3>().determinant()),
               report.at("scale").get<double>(), 1e-9);
-  for (const char* key : {"energy", "residual", "fitness"}) {
-    EXPECT_GE(report.at(key).get<double>(), 0.0) << key;
-    EXPECT_LT(report.at(key).get<double>(), 1.0) << key;
+  EXPECT_GE(report.at("fitness").get<double>(), 0.0);
+  EXPECT_LT(report.at("fitness").get<double>(), 1.0);
+  for (const char* key : {"energy", "residual"})
+    EXPECT_FALSE(report.contains(key)) << key;
+  // the same points on both sides
+  EXPECT_EQ("global", report.at("mode"));
+  ASSERT_EQ(2u, report.at("overlap").size());
+  for (const auto& share : report.at("overlap")) {
+    EXPECT_GT(share.get<double>(), 0.9);
+    EXPECT_LE(share.get<double>(), 1.0);
   }
+  EXPECT_GT(report.at("score").get<double>(), 1.3);
+  EXPECT_LE(report.at("score").get<double>(), 2.0);
+  EXPECT_GT(report.at("confidence").get<double>(), 0.9);
+  EXPECT_LE(report.at("confidence").get<double>(), 1.0);
+  EXPECT_EQ(false, report.at("ambiguous"));
   EXPECT_EQ("host", report.at("device"));
   const auto& alternatives = report.at("alternatives");
   ASSERT_GE(alternatives.size(), 1u);
   EXPECT_EQ(written, toMatrix(alternatives[0].at("transformation")));
-  EXPECT_EQ(report.at("energy"), alternatives[0].at("energy"));
+  EXPECT_EQ(report.at("score"), alternatives[0].at("score"));
+  EXPECT_EQ(report.at("overlap"), alternatives[0].at("overlap"));
   for (std::size_t i = 1; i < alternatives.size(); ++i) {
-    EXPECT_GE(alternatives[i].at("energy"), alternatives[i - 1].at("energy"));
+    EXPECT_LE(alternatives[i].at("score"), alternatives[i - 1].at("score"));
+    EXPECT_EQ(2u, alternatives[i].at("overlap").size());
     // in the coordinates of the files, too
     EXPECT_GT(toMatrix(alternatives[i].at("transformation"))(0, 3), 4e6);
   }
@@ -268,10 +303,44 @@ TEST_F(ToolRun, KeepsTheScaleAndAllDigitsIfRigid)
   EXPECT_NEAR(1.0, report.at("scale").get<double>(), 1e-9);
 }
 
+TEST_F(ToolRun, TakesTheModeTheScalesAndThePapersSettings)
+{
+  // seven tenths of the blob, along x
+  Points part;
+  for (const auto& point : blob())
+    if (point.x() > -0.3)
+      part.push_back(point);
+  write("part.xyz", part);
+  for (const std::string mode : {"auto", "partial"}) {
+    const Outcome result =
+        search("--mode " + mode + " --rigid part.xyz rigid.xyz a.xyz --report r.json");
+    ASSERT_EQ(0, result.status) << result.errors;
+    EXPECT_LT(largestDistance(moved(part, similarity(1.0)), read("a.xyz")), 0.05);
+    const auto report = nlohmann::json::parse(content("r.json"));
+    EXPECT_EQ("partial", report.at("mode"));
+    EXPECT_GT(report.at("overlap")[0].get<double>(), 0.95);
+    EXPECT_LT(report.at("overlap")[1].get<double>(), 0.95);
+  }
+  ASSERT_EQ(
+      0, search("--scale-range 2.4 2.6 source.xyz target.xyz --report r.json").status);
+  EXPECT_NEAR(2.5, nlohmann::json::parse(content("r.json")).at("scale").get<double>(),
+              0.1);
+  // out of the truth's reach
+  search("--scale-range 3.5 4 source.xyz target.xyz --report r.json");
+  const auto report = nlohmann::json::parse(content("r.json"));
+  EXPECT_GE(report.at("scale").get<double>(), 3.5 - 1e-3);
+  EXPECT_LE(report.at("scale").get<double>(), 4.0 + 1e-3);
+  const Outcome paper =
+      search("--paper --no-cleaning source.xyz target.xyz a.xyz --report r.json");
+  ASSERT_EQ(0, paper.status) << paper.errors;
+  EXPECT_LT(largestDistance(read("target.xyz"), read("a.xyz")), 2.5 * 0.1);
+  EXPECT_EQ("global", nlohmann::json::parse(content("r.json")).at("mode"));
+}
+
 TEST_F(ToolRun, MovesMeshes)
 {
-  // a mesh of the blob's convex order: strips of neighbours are enough to be sampled
-  const Points points = blob();
+  // strips of neighbours are enough to be sampled
+  const Points points = latticeOfBlob();
   std::ostringstream off;
   off.precision(17);
   off << "OFF\n" << points.size() << ' ' << points.size() - 21 << " 0\n";
@@ -304,8 +373,11 @@ TEST_F(ToolRun, SaysWhyItIsNotRegistered)
   const auto report = nlohmann::json::parse(content("r.json"));
   EXPECT_EQ(false, report.at("converged"));
   EXPECT_NE("", report.at("reason").get<std::string>());
-  for (const char* key : {"transformation", "scale", "energy", "residual", "fitness"})
+  for (const char* key :
+       {"transformation", "scale", "mode", "overlap", "score", "fitness"})
     EXPECT_TRUE(report.at(key).is_null()) << key;
+  EXPECT_LT(report.at("confidence").get<double>(), 1e-3);
+  EXPECT_EQ(false, report.at("ambiguous"));
   EXPECT_EQ(0u, report.at("alternatives").size());
   EXPECT_TRUE(report.at("seconds").contains("total"));
 }
@@ -332,6 +404,12 @@ TEST_F(ToolRun, NamesWhatIsWrong)
       {"source.xyz target.xyz --rotations odd", "--rotations odd"},
       {"source.xyz target.xyz --rotations even:", "--rotations"},
       {"source.xyz target.xyz --rotations even:0", "--rotations"},
+      {"source.xyz target.xyz --mode whole", "--mode whole"},
+      {"source.xyz target.xyz --mode", "--mode"},
+      {"source.xyz target.xyz --scale-range 1", "--scale-range"},
+      {"source.xyz target.xyz --scale-range 2 1", "--scale-range 1"},
+      {"source.xyz target.xyz --scale-range 0 1", "--scale-range 0"},
+      {"source.xyz target.xyz --scale-range a b", "--scale-range a"},
       {"source.xyz target.xyz --density high", "--density high"},
       {"source.xyz target.xyz --device nonesuch", "--device nonesuch"},
       {"source.xyz target.xyz --device ''", "--device"},
@@ -399,7 +477,8 @@ TEST_F(ToolRun, ShowsHelpVersionAndDevices)
   }
   const std::string help = run("--help").output;
   for (const char* option :
-       {"--transform", "--report", "--rigid", "--points", "--angle-step", "--rotations",
+       {"--transform", "--report", "--mode", "--scale-range", "--paper",
+        "--no-cleaning", "--rigid", "--points", "--angle-step", "--rotations",
         "--density", "--device", "--list-devices", "--threads", "--samples", "--quiet",
         "--version", "--help", "Example"})
     EXPECT_NE(std::string::npos, help.find(option)) << option;
