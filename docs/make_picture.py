@@ -1,54 +1,46 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws two meshes and what their registration makes of them (needs matplotlib).
+"""Draws two scans and what their registration makes of them (needs Debian's
+python3-matplotlib and python3-pil).
 
 usage: make_picture.py SOURCE TARGET TRANSFORM PICTURE
-SOURCE and TARGET are triangle meshes, .obj or .off; TRANSFORM holds 4x4 numbers.
+SOURCE and TARGET are binary PLY files of points with normals, as the demo's; TRANSFORM
+holds 4x4 numbers.
 x points to the right, y up, and z towards the viewer."""
 import sys
 
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-from matplotlib.collections import PolyCollection
 import numpy as np
 from PIL import Image
 
 ORANGE, BLUE = np.array([0.93, 0.55, 0.20]), np.array([0.30, 0.52, 0.80])
 
 
-def read_mesh(path):
-    """The triangles of a mesh, n x 3 corners x 3 coordinates."""
-    with open(path) as file:
-        rows = [line.split() for line in file if line.strip()]
-    if path.endswith(".obj"):
-        points = [row[1:4] for row in rows if row[0] == "v"]
-        faces = [[int(corner.split("/")[0]) - 1 for corner in row[1:4]]
-                 for row in rows if row[0] == "f"]
-    else:
-        count = int(rows[1][0])
-        points = [row[:3] for row in rows[2:2 + count]]
-        faces = [[int(corner) for corner in row[1:4]] for row in rows[2 + count:]]
-    return np.array(points, dtype=float)[np.array(faces)]
+def read_scan(path):
+    """Points and normals, n x 3 each."""
+    with open(path, "rb") as file:
+        header, rows = file.read().split(b"end_header\n", 1)
+    names = [line.split()[2] for line in header.decode().splitlines()
+             if line.startswith("property double")]
+    values = np.frombuffer(rows, "<f8").reshape(-1, len(names))
+    return [values[:, [names.index(name) for name in axes]]
+            for axes in (("x", "y", "z"), ("nx", "ny", "nz"))]
 
 
-def draw(axes, left, title, *meshes):
-    """Paint shaded triangles, the nearest to the viewer last; where they end at the
-    right."""
-    corners = np.concatenate([triangles for triangles, _ in meshes])
-    low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
-    corners = corners + [left - low[0], -(low[1] + high[1]) / 2, 0]
-    colours = np.concatenate([np.tile(colour, (len(triangles), 1))
-                              for triangles, colour in meshes])
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
+def draw(axes, left, title, *scans):
+    """Dot shaded points, the nearest to the viewer last; where they end at the right."""
+    points = np.concatenate([scan for scan, _, _ in scans])
+    normals = np.concatenate([normals for _, normals, _ in scans])
+    colours = np.concatenate([np.tile(colour, (len(scan), 1)) for scan, _, colour in scans])
+    low, high = points.min(axis=0), points.max(axis=0)
+    points = points + [left - low[0], -(low[1] + high[1]) / 2, 0]
     light = np.array([-0.4, 0.6, 0.7]) / np.linalg.norm([0.4, 0.6, 0.7])
-    shade = 0.35 + 0.65 * np.clip(normals @ light, 0, 1)
-    seen = np.flatnonzero(normals[:, 2] > 0)
-    order = seen[np.argsort(corners[seen, :, 2].mean(axis=1))]
-    colours = np.clip(colours[order] * shade[order, None], 0, 1)
-    axes.add_collection(PolyCollection(corners[order, :, :2], facecolors=colours,
-                                       edgecolors=colours, linewidths=0.2))
+    shade = 0.35 + 0.65 * np.abs(normals @ light)
+    order = np.argsort(points[:, 2])
+    axes.scatter(points[order, 0], points[order, 1], s=2.5, linewidths=0,
+                 c=np.clip(colours[order] * shade[order, None], 0, 1))
     right = left + high[0] - low[0]
     axes.annotate(title, ((left + right) / 2, 0), xycoords=("data", "axes fraction"),
                   ha="center", va="bottom", fontsize=12)
@@ -56,20 +48,23 @@ def draw(axes, left, title, *meshes):
 
 
 def main(source_path, target_path, transform_path, picture):
-    source, target = read_mesh(source_path), read_mesh(target_path)
+    source, source_normals = read_scan(source_path)
+    target, target_normals = read_scan(target_path)
     transform = np.loadtxt(transform_path)
-    aligned = source @ transform[:3, :3].T + transform[:3, 3]
+    linear = transform[:3, :3]
+    aligned = source @ linear.T + transform[:3, 3]
+    aligned_normals = source_normals @ linear.T / np.cbrt(np.linalg.det(linear))
 
-    figure = plt.figure(figsize=(10, 4.2), dpi=150)
+    figure = plt.figure(figsize=(10, 3.2), dpi=150)
     axes = figure.add_axes([0, 0, 1, 1])
-    gap = 0.2 * np.ptp(target[..., 0])
-    right = draw(axes, 0, "source", (source, ORANGE))
-    right = draw(axes, right + gap, "target", (target, BLUE))
-    right = draw(axes, right + gap, "source placed upon target", (aligned, ORANGE),
-                 (target, BLUE))
-    heights = [np.ptp(mesh[..., 1]) for mesh in (source, target)]
+    gap = 0.15 * np.ptp(target[:, 0])
+    right = draw(axes, 0, "source", (source, source_normals, ORANGE))
+    right = draw(axes, right + gap, "target", (target, target_normals, BLUE))
+    right = draw(axes, right + gap, "source placed upon target",
+                 (aligned, aligned_normals, ORANGE), (target, target_normals, BLUE))
+    height = max(np.ptp(points[:, 1]) for points in (source, target, aligned))
     axes.set_xlim(-gap / 2, right + gap / 2)
-    axes.set_ylim(-0.6 * max(heights), 0.52 * max(heights))
+    axes.set_ylim(-0.65 * height, 0.52 * height)
     axes.set_aspect("equal")
     axes.axis("off")
     figure.savefig(picture, bbox_inches="tight", pad_inches=0.05)

@@ -178,12 +178,12 @@ Alignment::align()
   const double threshold = settings_.additional_process_threshold;
   Poses poses;
   if (threshold > 0.0)
-    poses = refined({initial.pose});
+    poses = refined({initial.pose}, 0.0, 0.2);
   if (poses.empty() || energyAt(poses.front(), initial.weights) > threshold) {
     poses.clear();
     for (const Minimum& minimum : minima)
       poses.push_back(minimum.pose);
-    poses = refined(poses);
+    poses = refined(poses, threshold > 0.0 ? 0.2 : 0.0, 1.0);
   }
   Alternatives alternatives;
   for (const Eigen::Matrix4d& pose : poses)
@@ -245,8 +245,11 @@ Alignment::energyAt(const Eigen::Matrix4d& pose, const Weights& weights)
 }
 
 Alignment::Poses
-Alignment::refined(Poses poses)
+Alignment::refined(Poses poses, double begin, double end)
 {
+  const auto done = [&](double share) {
+    report("refinement", begin + share * (end - begin));
+  };
   // All minima are refined with few points, and fewer and fewer of them with more.
   // First they are ranked by how near the clouds come to each other, which leads from
   // afar, in the end by their overlap, which tells right from wrong.
@@ -262,10 +265,10 @@ Alignment::refined(Poses poses)
   };
   poses = refined(poses, on_samples, {96, 8, search_limit, 0.12, false},
                   distance(96, 0.15), 0.15, 120);
-  report("refinement", 0.3);
+  done(0.3);
   poses = refined(poses, on_samples, {400, 12, 0.12, near, false},
                   distance(400, std::max(0.1, near)), 0.12, 30);
-  report("refinement", 0.6);
+  done(0.6);
 
   const auto misfit = [this](const Eigen::Matrix4d& pose) {
     return -overlapAt(source_->all, target_->all, pose).score;
@@ -278,7 +281,7 @@ Alignment::refined(Poses poses)
   if (is_noisy_)
     poses = refined(withTurnedOnes(poses), on_samples, fine, misfit, same_pose,
                     most_alternatives);
-  report("refinement", 0.9);
+  done(0.9);
   const Points source_probes = someOf(source_->all.points(), most_probes);
   const Points target_probes = someOf(target_->all.points(), most_probes);
   const Refinement on_clouds(source_probes, target_probes, source_->all, target_->all,

@@ -33,7 +33,7 @@ confidenceOf(const Overlap& overlap)
 bool
 isAmbiguous(const Alternatives& alternatives)
 {
-  return alternatives.size() > 1 &&
+  return alternatives.size() > 1 && confidenceOf(alternatives[0].overlap) >= 0.5 &&
          alternatives[1].overlap.score >
              (1.0 - equally_good) * alternatives[0].overlap.score;
 }

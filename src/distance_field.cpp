@@ -18,6 +18,8 @@ constexpr double most_cells = 4e6;
 DistanceField::DistanceField(const Points& points, float cell, float margin)
 : lower_(points.rowwise().minCoeff().array() - margin)
 {
+  if (!(cell > 0.0f)) // all points coincide
+    cell = 1.0f;
   const Eigen::Vector3f extent =
       (points.rowwise().maxCoeff() - lower_).array() + margin;
   for (;; cell *= 1.25f) {

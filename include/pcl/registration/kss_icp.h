@@ -130,7 +130,7 @@ public:
    * \param[out] output the source (its indexed points) transformed by
    * getFinalTransformation(); may be the source itself
    * \param[in] guess a similarity that maps the source near the target; identity means
-   * that there is no guess
+   * that there is no guess. It keeps its scale, which setScaleRange() does not bound
    */
   void
   align(PointCloudSource& output, const Matrix4& guess);

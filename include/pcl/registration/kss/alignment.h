@@ -111,9 +111,10 @@ private:
   double
   energyAt(const Eigen::Matrix4d& pose, const Weights& weights);
 
-  /** \brief The distinct poses that ICP leads to, the best first. */
+  /** \brief The distinct poses that ICP leads to, the best first; the progress goes from
+   * \a begin to \a end. */
   Poses
-  refined(Poses poses);
+  refined(Poses poses, double begin, double end);
 
   /** \brief One round of that; the poses are ranked by \a badness, and of those closer
    * together than \a distinct one is kept. */

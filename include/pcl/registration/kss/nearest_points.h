@@ -14,7 +14,8 @@ namespace kss {
 /** \brief Finds nearest points in a few dozen nanoseconds: a distance field gives a
  * point near the position, and from there neighbours lead closer as long as they can.
  *
- * The answer is the nearest point or, rarely, one hardly farther away.
+ * Near the points the answer is the nearest point or, rarely, one hardly farther away.
+ * From afar, where nothing depends on it, it can be a fifth farther.
  */
 class NearestPoints {
 public:
