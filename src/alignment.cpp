@@ -6,6 +6,7 @@
 #include <pcl/registration/kss/cleaning.h>
 #include <pcl/registration/kss/simplification.h>
 
+#include "median.h"
 #include "parallel.h"
 
 #include <algorithm>
@@ -94,14 +95,6 @@ someOf(const Points& points, Eigen::Index most)
   for (Eigen::Index i = 0; i < size; ++i)
     rest.col(i) = points.col(i * points.cols() / size);
   return rest;
-}
-
-double
-median(Eigen::VectorXf values)
-{
-  const auto middle = values.data() + values.size() / 2;
-  std::nth_element(values.data(), middle, values.data() + values.size());
-  return *middle;
 }
 
 } // namespace
@@ -275,7 +268,7 @@ Alignment::refined(Poses poses, double begin, double end)
   };
   const double spacing =
       std::max(scaleOf(poses.front()) * median(source_->all.spacing()),
-               median(target_->all.spacing()));
+               static_cast<double>(median(target_->all.spacing())));
   const Refinement::Effort fine{600, 40, std::max(near, 4.0 * spacing), spacing, true};
   poses = refined(poses, on_samples, fine, misfit, same_pose, most_alternatives);
   if (is_noisy_)

@@ -6,7 +6,9 @@
 #include <pcl/registration/kss/neighbourhoods.h>
 #include <pcl/registration/kss/simplification.h>
 
+#include "median.h"
 #include "parallel.h"
+#include "take.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,41 +42,24 @@ constexpr float heavy = 0.125f;
 /** Clouds smaller than this are left alone: they cannot spare a point. */
 constexpr Eigen::Index small = 100;
 
-float
-medianOf(std::vector<float> values)
-{
-  const auto middle = values.begin() + values.size() / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-Points
-take(const Points& cloud, const std::vector<Eigen::Index>& indices)
-{
-  Points taken(3, indices.size());
-  for (std::size_t i = 0; i < indices.size(); ++i)
-    taken.col(i) = cloud.col(indices[i]);
-  return taken;
-}
-
-std::vector<Eigen::Index>
+std::vector<int>
 notStray(const Points& cloud, unsigned int threads)
 {
   const Neighbourhoods found = neighbourhoodsOf(cloud, flat_neighbours, threads);
   const Eigen::VectorXf variation = surfaceVariation(cloud, found, threads);
   const Eigen::VectorXf room = found.distances.row(sparse_neighbours - 1);
-  const float usual = medianOf({room.data(), room.data() + room.size()});
+  const float usual = median(room);
 
-  std::vector<Eigen::Index> kept;
+  std::vector<int> kept;
   std::vector<float> rooms(flat_neighbours);
-  for (Eigen::Index i = 0; i < cloud.cols(); ++i) {
+  for (int i = 0; i < cloud.cols(); ++i) {
     float flatness = variation[i];
     for (int n = 0; n < flat_neighbours; ++n) {
       rooms[n] = room[found.indices(n, i)];
       flatness += variation[found.indices(n, i)];
     }
     flatness /= 1 + flat_neighbours;
-    const float around = medianOf(rooms);
+    const float around = median(rooms);
     const bool is_isolated = around > 0.0f && room[i] > isolated * around;
     if (!is_isolated && (room[i] <= sparse * usual || flatness < fills_space))
       kept.push_back(i);
@@ -107,9 +92,8 @@ meansAround(const Points& positions,
 float
 usualVariation(const Points& cloud, unsigned int threads)
 {
-  const Eigen::VectorXf variation = surfaceVariation(
-      cloud, neighbourhoodsOf(cloud, flat_neighbours, threads), threads);
-  return medianOf({variation.data(), variation.data() + variation.size()});
+  return median(surfaceVariation(
+      cloud, neighbourhoodsOf(cloud, flat_neighbours, threads), threads));
 }
 
 float
@@ -134,16 +118,14 @@ quarterOf(const Points& cloud)
 Points
 withoutCopies(const Points& cloud)
 {
-  std::vector<Eigen::Index> order(cloud.cols());
+  std::vector<int> order(cloud.cols());
   std::iota(order.begin(), order.end(), 0);
-  const auto before = [&](Eigen::Index a, Eigen::Index b) {
+  const auto before = [&](int a, int b) {
     return std::make_tuple(cloud(0, a), cloud(1, a), cloud(2, a), a) <
            std::make_tuple(cloud(0, b), cloud(1, b), cloud(2, b), b);
   };
   std::sort(order.begin(), order.end(), before);
-  const auto copied = [&](Eigen::Index a, Eigen::Index b) {
-    return cloud.col(a) == cloud.col(b);
-  };
+  const auto copied = [&](int a, int b) { return cloud.col(a) == cloud.col(b); };
   order.erase(std::unique(order.begin(), order.end(), copied), order.end());
   std::sort(order.begin(), order.end());
   return take(cloud, order);

@@ -5,6 +5,7 @@
 #include <pcl/registration/kss/simplification.h>
 
 #include "parallel.h"
+#include "take.h"
 
 #include <algorithm>
 #include <array>
@@ -208,15 +209,6 @@ quotasByCount(const std::vector<Voxel>& voxels, std::size_t points, std::size_t 
   for (std::size_t r = 0; given < k; ++r, ++given)
     ++quotas[remainders[r].second];
   return quotas;
-}
-
-Points
-take(const Points& cloud, const std::vector<int>& indices)
-{
-  Points taken(3, indices.size());
-  for (std::size_t i = 0; i < indices.size(); ++i)
-    taken.col(i) = cloud.col(indices[i]);
-  return taken;
 }
 
 /** The first point of each cell, of cells just large enough for about so many points to
