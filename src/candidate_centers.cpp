@@ -12,15 +12,22 @@ namespace pcl {
 namespace kss {
 namespace {
 
-/** The grid {-n..n} x {-n..n} x {-n..n} of steps along the columns of \a axes. */
+/** Centres of a cloud that is much larger than the other at most. */
+constexpr double most_centers = 10000.0;
+
+/** The grid {-n..n} x {-n..n} x {-n..n} along the columns of \a axes. */
 CandidateCenters
-grid(const Eigen::Matrix3d& axes, const Eigen::Array3i& n)
+grid(const Eigen::Matrix3d& axes,
+     const Eigen::Array3d& spacing,
+     const Eigen::Array3i& n)
 {
   CandidateCenters found;
+  found.axes = axes;
+  found.spacing = spacing;
   for (int i = -n.x(); i <= n.x(); ++i)
     for (int j = -n.y(); j <= n.y(); ++j)
       for (int k = -n.z(); k <= n.z(); ++k)
-        found.centers.push_back(axes * Eigen::Vector3d(i, j, k));
+        found.centers.push_back(axes * (spacing * Eigen::Array3d(i, j, k)).matrix());
   for (int axis = 0; axis < 3; ++axis)
     found.steps[axis] = 2 * n[axis] + 1;
   return found;
@@ -31,7 +38,8 @@ grid(const Eigen::Matrix3d& axes, const Eigen::Array3i& n)
 CandidateCenters
 ownCenter()
 {
-  return {{Eigen::Vector3d::Zero()}, {1, 1, 1}};
+  return grid(Eigen::Matrix3d::Identity(), Eigen::Array3d::Zero(),
+              Eigen::Array3i::Zero());
 }
 
 CandidateCenters
@@ -56,19 +64,27 @@ paperCenters(const Points& cloud)
   axes.col(2) = points.col(nearest).cross(axes.col(1)).normalized();
   axes.col(0) = axes.col(1).cross(axes.col(2));
   const double search_radius = radius / 4.0; // r_s
-  return grid(axes * (search_radius / 2.0), {2, 2, 2});
+  return grid(axes, Eigen::Array3d::Constant(search_radius / 2.0), {2, 2, 2});
 }
 
 CandidateCenters
 spreadCenters(const Points& cloud, double reach, double step)
 {
-  const Eigen::Matrix3d scatter =
-      (cloud * cloud.transpose()).cast<double>() / cloud.cols();
+  const Eigen::Matrix3Xd points = cloud.cast<double>();
+  const Eigen::Matrix3d scatter = points * points.transpose() / points.cols();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
   const Eigen::Array3d radius = reach * solver.eigenvalues().array().max(0.0).sqrt();
-  const Eigen::Array3i n = (radius / step - 1e-3).ceil().max(0.0).cast<int>();
+  Eigen::Array3i n;
+  for (;; step *= 1.1) {
+    // rounding aside, and a flat cloud is thin, not a box
+    n = (radius < 0.05 * step)
+            .select(0, (radius / step - 1e-3).ceil().max(0.0))
+            .cast<int>();
+    if ((2 * n + 1).cast<double>().prod() <= most_centers)
+      break;
+  }
   const Eigen::Array3d steps = radius / n.max(1).cast<double>();
-  return grid(solver.eigenvectors() * steps.matrix().asDiagonal(), n);
+  return grid(solver.eigenvectors(), steps, n);
 }
 
 } // namespace kss

@@ -10,6 +10,15 @@
 namespace pcl {
 namespace kss {
 
+const std::vector<std::size_t>&
+CandidateRotations::neighbours(std::size_t index, unsigned int kernel) const
+{
+  auto& neighbours = neighbours_[kernel];
+  for (std::size_t i = neighbours.size(); i < rotations_.size(); ++i)
+    neighbours.push_back(findNeighbours(i, kernel));
+  return neighbours[index];
+}
+
 EulerRotations::EulerRotations(double angle_step)
 : steps_(std::max(1, static_cast<int>(std::lround(2.0 * M_PI / angle_step))))
 {
@@ -26,7 +35,7 @@ EulerRotations::EulerRotations(double angle_step)
 }
 
 std::vector<std::size_t>
-EulerRotations::neighbours(std::size_t index, unsigned int kernel) const
+EulerRotations::findNeighbours(std::size_t index, unsigned int kernel) const
 {
   const int x = index / (steps_ * steps_);
   const int y = index / steps_ % steps_;
@@ -62,7 +71,7 @@ EvenRotations::EvenRotations(unsigned int number)
 }
 
 std::vector<std::size_t>
-EvenRotations::neighbours(std::size_t index, unsigned int kernel) const
+EvenRotations::findNeighbours(std::size_t index, unsigned int kernel) const
 {
   // SO(3) has the volume 8 pi^2 in radians cubed: a step is the edge of a cube of it.
   const double step = std::cbrt(8.0 * M_PI * M_PI / rotations_.size());

@@ -5,6 +5,7 @@
 #include <pcl/registration/kss/candidates.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace pcl {
 namespace kss {
@@ -17,7 +18,16 @@ Candidates::Candidates(std::shared_ptr<const CandidateRotations> rotations,
 , scales_(std::move(scales))
 , centers_(std::move(centers))
 , side_(side)
+, around_(centers_.centers.size())
 {
+  const auto [nx, ny, nz] = centers_.steps;
+  for (int x = 0; x < nx; ++x)
+    for (int y = 0; y < ny; ++y)
+      for (int z = 0; z < nz; ++z)
+        for (int i = std::max(0, x - 1); i <= std::min(nx - 1, x + 1); ++i)
+          for (int j = std::max(0, y - 1); j <= std::min(ny - 1, y + 1); ++j)
+            for (int k = std::max(0, z - 1); k <= std::min(nz - 1, z + 1); ++k)
+              around_[(x * ny + y) * nz + z].push_back((i * ny + j) * nz + k);
 }
 
 Candidates::Parts
@@ -52,8 +62,29 @@ Candidates::placements(std::size_t begin, std::size_t count) const
   return found;
 }
 
+std::vector<Placement>
+Candidates::placements(const std::vector<std::size_t>& indices) const
+{
+  std::vector<Placement> found;
+  found.reserve(indices.size());
+  for (const std::size_t i : indices)
+    found.push_back(pose(i).topRows<3>().cast<float>());
+  return found;
+}
+
 std::vector<std::size_t>
 Candidates::localMinima(const std::vector<float>& energies,
+                        unsigned int kernel,
+                        double distinct_angle) const
+{
+  std::vector<std::size_t> all(energies.size());
+  std::iota(all.begin(), all.end(), 0);
+  return localMinima(energies, all, kernel, distinct_angle);
+}
+
+std::vector<std::size_t>
+Candidates::localMinima(const std::vector<float>& energies,
+                        const std::vector<std::size_t>& among,
                         unsigned int kernel,
                         double distinct_angle) const
 {
@@ -61,50 +92,39 @@ Candidates::localMinima(const std::vector<float>& energies,
   const auto lower = [&](std::size_t a, std::size_t b) {
     return energies[a] != energies[b] ? energies[a] < energies[b] : a < b;
   };
-  const std::size_t centers = centers_.centers.size();
-  const int scales = static_cast<int>(scales_.size());
-
-  // the centres at and around each centre
-  std::vector<std::vector<std::size_t>> around(centers);
-  const auto [nx, ny, nz] = centers_.steps;
-  for (int x = 0; x < nx; ++x)
-    for (int y = 0; y < ny; ++y)
-      for (int z = 0; z < nz; ++z)
-        for (int i = std::max(0, x - 1); i <= std::min(nx - 1, x + 1); ++i)
-          for (int j = std::max(0, y - 1); j <= std::min(ny - 1, y + 1); ++j)
-            for (int k = std::max(0, z - 1); k <= std::min(nz - 1, z + 1); ++k)
-              around[(x * ny + y) * nz + z].push_back((i * ny + j) * nz + k);
-
+  const std::size_t centers = centers_.centers.size(), scales = scales_.size();
   std::vector<std::size_t> minima;
-  for (std::size_t rotation = 0; rotation < rotations_->rotations().size();
-       ++rotation) {
-    std::vector<std::size_t> rotations = rotations_->neighbours(rotation, kernel);
-    rotations.insert(rotations.begin(), rotation);
-    for (int scale = 0; scale < scales; ++scale)
-      for (std::size_t center = 0; center < centers; ++center) {
-        const std::size_t index = (rotation * scales + scale) * centers + center;
-        const auto is_lower_around = [&](std::size_t r) {
-          for (int s = std::max(0, scale - 1); s <= std::min(scales - 1, scale + 1);
-               ++s)
-            for (const std::size_t c : around[center])
-              if (lower((r * scales + s) * centers + c, index))
-                return true;
-          return false;
-        };
-        if (std::none_of(rotations.begin(), rotations.end(), is_lower_around))
-          minima.push_back(index);
-      }
+  for (const std::size_t index : among) {
+    const Parts at = partsOf(index);
+    const std::size_t first = at.scale > 0 ? at.scale - 1 : 0;
+    const std::size_t last = std::min(at.scale + 1, scales - 1);
+    const auto is_lower_around = [&](std::size_t rotation) {
+      for (std::size_t scale = first; scale <= last; ++scale)
+        for (const std::size_t center : around_[at.center])
+          if (lower((rotation * scales + scale) * centers + center, index))
+            return true;
+      return false;
+    };
+    const auto& others = rotations_->neighbours(at.rotation, kernel);
+    if (!is_lower_around(at.rotation) &&
+        std::none_of(others.begin(), others.end(), is_lower_around))
+      minima.push_back(index);
   }
   std::sort(minima.begin(), minima.end(), lower);
+  return distinct(minima, distinct_angle);
+}
 
+std::vector<std::size_t>
+Candidates::distinct(const std::vector<std::size_t>& candidates, double angle) const
+{
   std::vector<std::size_t> distinct;
-  for (const std::size_t i : minima) {
+  for (const std::size_t i : candidates) {
     const Parts a = partsOf(i);
     if (std::none_of(distinct.begin(), distinct.end(), [&](std::size_t j) {
           const Parts b = partsOf(j);
           return a.center == b.center && a.scale == b.scale &&
                  rotations_->rotations()[a.rotation].angularDistance(
-                     rotations_->rotations()[b.rotation]) < distinct_angle;
+                     rotations_->rotations()[b.rotation]) < angle;
         }))
       distinct.push_back(i);
   }

@@ -6,6 +6,7 @@
 #include <pcl/registration/kss/neighbourhoods.h>
 #include <pcl/registration/kss/simplification.h>
 
+#include "cell_grid.h"
 #include "median.h"
 #include "parallel.h"
 #include "take.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -43,9 +45,8 @@ constexpr float heavy = 0.125f;
 constexpr Eigen::Index small = 100;
 
 std::vector<int>
-notStray(const Points& cloud, unsigned int threads)
+notStray(const Points& cloud, const Neighbourhoods& found, unsigned int threads)
 {
-  const Neighbourhoods found = neighbourhoodsOf(cloud, flat_neighbours, threads);
   const Eigen::VectorXf variation = surfaceVariation(cloud, found, threads);
   const Eigen::VectorXf room = found.distances.row(sparse_neighbours - 1);
   const float usual = median(room);
@@ -74,17 +75,28 @@ meansAround(const Points& positions,
             float radius,
             unsigned int threads)
 {
-  const Eigen::MatrixX3f coordinates = cloud.transpose();
+  const CellGrid grid(cloud, radius);
   Points means(3, positions.cols());
-#pragma omp parallel for num_threads(threadCount(threads))
-  for (Eigen::Index i = 0; i < positions.cols(); ++i) {
-    const Eigen::ArrayXf squared =
-        (coordinates.col(0).array() - positions(0, i)).square() +
-        (coordinates.col(1).array() - positions(1, i)).square() +
-        (coordinates.col(2).array() - positions(2, i)).square();
-    const Eigen::VectorXf inside = (squared <= radius * radius).cast<float>();
-    means.col(i) = coordinates.transpose() * inside / inside.sum();
-  }
+  inParallel(positions.cols(), threads, 64, [&](Eigen::Index i) {
+    const Eigen::Vector3f position = positions.col(i);
+    const Cell cell = grid.cells().of(position);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    int inside = 0;
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = -1; z <= 1; ++z) {
+          const int other = grid.find(cell + Cell(x, y, z));
+          if (other >= 0)
+            for (int p = grid.begin(other); p < grid.begin(other + 1); ++p) {
+              const Eigen::Vector3f point = cloud.col(grid.order()[p]);
+              if ((point - position).squaredNorm() <= radius * radius) {
+                sum += point.cast<double>();
+                ++inside;
+              }
+            }
+        }
+    means.col(i) = (sum / inside).cast<float>();
+  });
   return means;
 }
 
@@ -131,19 +143,28 @@ withoutCopies(const Points& cloud)
   return take(cloud, order);
 }
 
-Points
+Surface
 withoutStrayPoints(const Points& cloud, unsigned int threads)
 {
-  // A second look finds those that the first ones hid.
-  Points rest = cloud;
-  for (int look = 0; look < 2 && rest.cols() >= small; ++look) {
-    const auto kept = notStray(rest, threads);
-    const bool is_last = kept.size() > 0.998 * rest.cols();
-    rest = take(rest, kept);
-    if (is_last)
+  // A second look finds those that the first one hid.
+  Surface rest{cloud, neighbourhoodsOf(cloud, flat_neighbours, threads)};
+  if (cloud.cols() < small)
+    return rest;
+  for (int look = 0; look < 2; ++look) {
+    const auto kept = notStray(rest.points, rest.neighbourhoods, threads);
+    const bool few = kept.size() > 0.998 * rest.points.cols();
+    if (kept.size() <= std::max<double>(small, 0.3 * cloud.cols()))
+      return {cloud, neighbourhoodsOf(cloud, flat_neighbours, threads)};
+    auto known =
+        few ? restrictedTo(rest.neighbourhoods, kept, known_neighbours) : std::nullopt;
+    rest.points = take(rest.points, kept);
+    rest.neighbourhoods = known
+                              ? std::move(*known)
+                              : neighbourhoodsOf(rest.points, flat_neighbours, threads);
+    if (few)
       break;
   }
-  return rest.cols() > 0.3 * cloud.cols() ? rest : cloud;
+  return rest;
 }
 
 bool

@@ -5,18 +5,11 @@
 #include <pcl/registration/kss/distances.h>
 
 #include "parallel.h"
+#include "wide_vectors.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-// Wide vectors where the machine has them; no fused multiply-add, so that the bits are
-// the same on every machine.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
-#define PCL_KSS_WIDE __attribute__((target_clones("avx2", "default")))
-#else
-#define PCL_KSS_WIDE
-#endif
 
 namespace pcl {
 namespace kss {
@@ -51,7 +44,7 @@ meet(const float* x,
 class HostEvaluator : public DistanceEvaluator {
 public:
   explicit HostEvaluator(unsigned int threads)
-  : threads_(threadCount(threads))
+  : threads_(threads)
   {
   }
 
@@ -73,10 +66,8 @@ public:
   evaluate(const std::vector<Placement>& placements) override
   {
     std::vector<DirectedDistances> distances(placements.size());
-    const auto size = static_cast<std::ptrdiff_t>(placements.size());
-#pragma omp parallel for schedule(dynamic) num_threads(threads_)
-    for (std::ptrdiff_t i = 0; i < size; ++i)
-      distances[i] = distancesAt(placements[i]);
+    inParallel(placements.size(), threads_, 1,
+               [&](std::ptrdiff_t i) { distances[i] = distancesAt(placements[i]); });
     return distances;
   }
 
@@ -112,7 +103,7 @@ private:
             static_cast<float>(sum_target / target_points_)};
   }
 
-  int threads_;
+  unsigned int threads_;
   Points source_;
   Eigen::MatrixX3f target_;
   Eigen::Index target_points_ = 0;

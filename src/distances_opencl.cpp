@@ -5,6 +5,7 @@
 #include <pcl/registration/kss/distances.h>
 
 #include "opencl_program.h"
+#include "several_devices.h"
 
 #include <algorithm>
 
@@ -15,15 +16,16 @@ namespace {
 constexpr Eigen::Index lanes = 8;    // of a tile of target points
 constexpr Eigen::Index together = 4; // source points held against a tile at once
 
-class OpenCLEvaluator : public DistanceEvaluator {
+/** The distances of one device. */
+class DeviceDistances {
 public:
-  OpenCLEvaluator(const std::string& device, unsigned int threads)
-  : program_(openCLProgram(device, threads))
+  explicit DeviceDistances(std::shared_ptr<OpenCLProgram> program)
+  : program_(std::move(program))
   {
   }
 
   void
-  setClouds(const Points& source, const Points& target, float limit) override
+  setClouds(const Points& source, const Points& target, float limit)
   {
     limit_ = limit;
     target_points_ = target.cols();
@@ -43,35 +45,26 @@ public:
     source_ = program_->upload(homogeneous.data(), homogeneous.size());
   }
 
-  std::vector<DirectedDistances>
-  evaluate(const std::vector<Placement>& placements) override
+  void
+  evaluate(const Placement* placements, std::size_t size, DirectedDistances* distances)
   {
     // The scratch memory sets how many candidates fit into one dispatch: the paper's
     // 1728 take 14 MB.
     const std::size_t scratch = tiles_ * lanes * sizeof(float);
     const std::size_t batch = std::max<std::size_t>(
         1, std::min<std::size_t>(program_->largestBuffer() / scratch, 8192));
-    std::vector<DirectedDistances> distances(placements.size());
-    for (std::size_t begin = 0; begin < placements.size(); begin += batch)
-      evaluate(placements.data() + begin, std::min(batch, placements.size() - begin),
-               distances.data() + begin);
-    return distances;
-  }
-
-  std::string
-  deviceName() const override
-  {
-    return program_->deviceName();
+    for (std::size_t begin = 0; begin < size; begin += batch)
+      dispatch(placements + begin, std::min(batch, size - begin), distances + begin);
   }
 
 private:
   void
-  evaluate(const Placement* placements, std::size_t size, DirectedDistances* distances)
+  dispatch(const Placement* placements, std::size_t size, DirectedDistances* distances)
   {
     const cl::Buffer candidates =
         program_->upload(placements->data(), size * Placement::SizeAtCompileTime);
-    const cl::Buffer nearest = program_->allocate(size * tiles_ * lanes);
-    const cl::Buffer result = program_->allocate(4 * size);
+    const cl::Buffer nearest = program_->allocate<float>(size * tiles_ * lanes);
+    const cl::Buffer result = program_->allocate<float>(4 * size);
     program_->run("pair_distances", size, target_[0], target_[1], target_[2],
                   static_cast<cl_uint>(target_points_), source_,
                   static_cast<cl_uint>(source_points_), candidates,
@@ -85,6 +78,41 @@ private:
   cl::Buffer target_[3], source_;
   Eigen::Index target_points_ = 0, source_points_ = 0, tiles_ = 0;
   float limit_ = 0.0f;
+};
+
+class OpenCLEvaluator : public DistanceEvaluator {
+public:
+  OpenCLEvaluator(const std::string& device, unsigned int threads)
+  : devices_(device, threads)
+  {
+  }
+
+  void
+  setClouds(const Points& source, const Points& target, float limit) override
+  {
+    devices_.forEach(
+        [&](DeviceDistances& device) { device.setClouds(source, target, limit); });
+  }
+
+  std::vector<DirectedDistances>
+  evaluate(const std::vector<Placement>& placements) override
+  {
+    std::vector<DirectedDistances> distances(placements.size());
+    devices_.share(placements.size(), [&](DeviceDistances& device, std::size_t begin,
+                                          std::size_t end) {
+      device.evaluate(placements.data() + begin, end - begin, distances.data() + begin);
+    });
+    return distances;
+  }
+
+  std::string
+  deviceName() const override
+  {
+    return devices_.name();
+  }
+
+private:
+  SeveralDevices<DeviceDistances> devices_;
 };
 
 } // namespace

@@ -19,7 +19,7 @@ namespace {
 class HostLookUpEvaluator : public DistanceEvaluator {
 public:
   HostLookUpEvaluator(unsigned int threads, unsigned int probes)
-  : threads_(threadCount(threads))
+  : threads_(threads)
   , probes_(probes)
   {
   }
@@ -38,9 +38,7 @@ public:
   evaluate(const std::vector<Placement>& placements) override
   {
     std::vector<DirectedDistances> distances(placements.size());
-    const auto size = static_cast<std::ptrdiff_t>(placements.size());
-#pragma omp parallel for num_threads(threads_)
-    for (std::ptrdiff_t i = 0; i < size; ++i) {
+    inParallel(placements.size(), threads_, 64, [&](std::ptrdiff_t i) {
       // the inverse of x -> s R x + t is x -> (s R)^T (x - t) / s^2
       const Eigen::Affine3f forth(
           (Eigen::Matrix4f() << placements[i], 0.0f, 0.0f, 0.0f, 1.0f).finished());
@@ -53,7 +51,7 @@ public:
       const auto [far_target, mean_target] =
           distancesFrom(target_, back, *source_field_, limit_ / scale);
       distances[i] = {far_source, mean_source, scale * far_target, scale * mean_target};
-    }
+    });
     return distances;
   }
 
@@ -80,7 +78,7 @@ private:
     return {farthest, static_cast<float>(sum / points.cols())};
   }
 
-  int threads_;
+  unsigned int threads_;
   unsigned int probes_;
   Points source_, target_;
   std::optional<DistanceField> source_field_, target_field_;

@@ -7,8 +7,10 @@
 
 #include "look_up_field.h"
 #include "opencl_program.h"
+#include "several_devices.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace pcl {
 namespace kss {
@@ -18,54 +20,52 @@ constexpr Eigen::Index lanes = 8; // of a tile of points
 
 /** One cloud on the device: its points in tiles and its distance field. */
 struct Cloud {
+  Points all;
   cl::Buffer x, y, z, field;
   cl_uint points;
   cl_float4 lower;
   cl_int4 size;
 };
 
-class OpenCLLookUpEvaluator : public DistanceEvaluator {
+/** The look-ups of one device. */
+class DeviceLookUps {
 public:
-  OpenCLLookUpEvaluator(const std::string& device,
-                        unsigned int threads,
-                        unsigned int probes)
-  : program_(openCLProgram(device, threads))
-  , probes_(probes)
+  explicit DeviceLookUps(std::shared_ptr<OpenCLProgram> program)
+  : program_(std::move(program))
   {
   }
 
   void
-  setClouds(const Points& source, const Points& target, float limit) override
+  setClouds(const Points& source,
+            const Points& target,
+            float limit,
+            unsigned int probes)
   {
+    probes_ = probes;
+    // what has not changed stays on the device
+    const bool same_limit = limit == limit_;
     limit_ = limit;
-    source_ = upload(source);
-    target_ = upload(target);
+    for (const auto& [cloud, points] :
+         {std::tie(source_, source), std::tie(target_, target)})
+      if (!same_limit || cloud.all.cols() != points.cols() || cloud.all != points)
+        cloud = upload(points);
   }
 
-  std::vector<DirectedDistances>
-  evaluate(const std::vector<Placement>& placements) override
+  void
+  evaluate(const Placement* placements, std::size_t size, DirectedDistances* distances)
   {
-    const auto size = placements.size();
-    std::vector<DirectedDistances> distances(size);
     if (size == 0)
-      return distances;
-    const cl::Buffer candidates = program_->upload(placements.front().data(),
-                                                   size * Placement::SizeAtCompileTime);
-    const cl::Buffer result = program_->allocate(4 * size);
+      return;
+    const cl::Buffer candidates =
+        program_->upload(placements->data(), size * Placement::SizeAtCompileTime);
+    const cl::Buffer result = program_->allocate<float>(4 * size);
     program_->run("look_ups", size, source_.x, source_.y, source_.z, source_.points,
                   source_.field, source_.lower, source_.size, target_.x, target_.y,
                   target_.z, target_.points, target_.field, target_.lower, target_.size,
                   candidates, static_cast<cl_uint>(size), limit_, result);
     static_assert(sizeof(DirectedDistances) == 4 * sizeof(float),
                   "the kernel's float4");
-    program_->download(result, &distances.front().source_to_target, 4 * size);
-    return distances;
-  }
-
-  std::string
-  deviceName() const override
-  {
-    return program_->deviceName();
+    program_->download(result, &distances->source_to_target, 4 * size);
   }
 
 private:
@@ -73,6 +73,7 @@ private:
   upload(const Points& points)
   {
     Cloud cloud;
+    cloud.all = points;
     const Eigen::Index probes = std::min<Eigen::Index>(probes_, points.cols());
     const Eigen::Index filled = (probes + lanes - 1) / lanes * lanes;
     Eigen::MatrixX3f tiled(filled, 3);
@@ -91,9 +92,49 @@ private:
   }
 
   std::shared_ptr<OpenCLProgram> program_;
-  unsigned int probes_;
+  unsigned int probes_ = 0;
   Cloud source_, target_;
   float limit_ = 0.0f;
+};
+
+class OpenCLLookUpEvaluator : public DistanceEvaluator {
+public:
+  OpenCLLookUpEvaluator(const std::string& device,
+                        unsigned int threads,
+                        unsigned int probes)
+  : devices_(device, threads)
+  , probes_(probes)
+  {
+  }
+
+  void
+  setClouds(const Points& source, const Points& target, float limit) override
+  {
+    devices_.forEach([&](DeviceLookUps& device) {
+      device.setClouds(source, target, limit, probes_);
+    });
+  }
+
+  std::vector<DirectedDistances>
+  evaluate(const std::vector<Placement>& placements) override
+  {
+    std::vector<DirectedDistances> distances(placements.size());
+    devices_.share(placements.size(), [&](DeviceLookUps& device, std::size_t begin,
+                                          std::size_t end) {
+      device.evaluate(placements.data() + begin, end - begin, distances.data() + begin);
+    });
+    return distances;
+  }
+
+  std::string
+  deviceName() const override
+  {
+    return devices_.name();
+  }
+
+private:
+  SeveralDevices<DeviceLookUps> devices_;
+  unsigned int probes_;
 };
 
 } // namespace

@@ -11,9 +11,6 @@ namespace pcl {
 namespace kss {
 namespace {
 
-/** Enough for every direction to have a neighbour in it. */
-constexpr int neighbours = 10;
-
 /** Cells a few spacings wide: small enough for a short way to the nearest point, few
  * enough to be set up quickly. */
 float
@@ -27,11 +24,25 @@ cellFor(const Points& points)
 } // namespace
 
 NearestPoints::NearestPoints(const Points& points, unsigned int threads)
-: points_(points)
-, neighbourhoods_(neighbourhoodsOf(points, neighbours, threads))
-, spacing_(spacingOf(neighbourhoods_))
-, field_(points, cellFor(points), 2.0f * cellFor(points))
+: NearestPoints(Surface{points, neighbourhoodsOf(points, neighbours, threads)})
 {
+}
+
+NearestPoints::NearestPoints(const Surface& surface)
+: points_(surface.points)
+, around_(points_.cols())
+, spacing_(spacingOf(surface.neighbourhoods))
+, field_(points_, cellFor(points_), 2.0f * cellFor(points_))
+{
+  const Eigen::MatrixXi& indices = surface.neighbourhoods.indices;
+  for (Eigen::Index i = 0; i < points_.cols(); ++i)
+    for (int n = 0; n < neighbours; ++n) {
+      const int other = n < indices.rows() ? indices(n, i) : static_cast<int>(i);
+      around_[i].x[n] = points_(0, other);
+      around_[i].y[n] = points_(1, other);
+      around_[i].z[n] = points_(2, other);
+      around_[i].indices[n] = other;
+    }
 }
 
 } // namespace kss

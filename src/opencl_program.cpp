@@ -18,6 +18,7 @@ namespace {
 struct NamedDevice {
   cl::Device device;
   std::string name;
+  std::string platform;
 };
 
 /** All devices of all platforms; none where there is no platform. */
@@ -32,8 +33,10 @@ allDevices()
       std::vector<cl::Device> devices;
       platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
       for (const cl::Device& device : devices)
-        found.push_back({device, device.getInfo<CL_DEVICE_NAME>() + " (" +
-                                     platform.getInfo<CL_PLATFORM_NAME>() + ")"});
+        found.push_back({device,
+                         device.getInfo<CL_DEVICE_NAME>() + " (" +
+                             platform.getInfo<CL_PLATFORM_NAME>() + ")",
+                         platform.getInfo<CL_PLATFORM_NAME>()});
     }
   }
   catch (const cl::Error&) {
@@ -57,30 +60,36 @@ inQuotes(const std::vector<NamedDevice>& devices)
   return text.empty() ? "none" : text;
 }
 
-NamedDevice
-findDevice(const std::string& wanted)
+/** The devices that a name stands for, at least one. */
+std::vector<NamedDevice>
+findDevices(const std::string& wanted)
 {
   const auto devices = allDevices();
-  auto found = devices.end();
   if (wanted == "auto") {
-    found = std::find_if(devices.begin(), devices.end(), [](const NamedDevice& d) {
-      return isOfType(d.device, CL_DEVICE_TYPE_GPU);
-    });
-    if (found == devices.end() && !devices.empty())
-      found = devices.begin();
-    if (found == devices.end())
+    if (devices.empty())
       throw DeviceError("There is no OpenCL device; install a driver, for example "
                         "pocl-opencl-icd.");
+    const auto gpu =
+        std::find_if(devices.begin(), devices.end(), [](const NamedDevice& d) {
+          return isOfType(d.device, CL_DEVICE_TYPE_GPU);
+        });
+    return {gpu != devices.end() ? *gpu : devices.front()};
   }
-  else {
-    found = std::find_if(devices.begin(), devices.end(), [&](const NamedDevice& d) {
-      return d.name.find(wanted) != std::string::npos;
-    });
-    if (found == devices.end())
-      throw DeviceError("There is no OpenCL device \"" + wanted +
-                        "\"; there are: " + inQuotes(devices) + ".");
-  }
-  return *found;
+  const auto holdsWanted = [&](const std::string& name) {
+    return name.find(wanted) != std::string::npos;
+  };
+  std::vector<NamedDevice> found;
+  for (const NamedDevice& device : devices)
+    if (holdsWanted(device.platform) &&
+        (found.empty() || found.front().platform == device.platform))
+      found.push_back(device);
+  for (const NamedDevice& device : devices)
+    if (found.empty() && holdsWanted(device.name))
+      found.push_back(device);
+  if (found.empty())
+    throw DeviceError("There is no OpenCL device \"" + wanted +
+                      "\"; there are: " + inQuotes(devices) + ".");
+  return found;
 }
 
 /** So many compute units of a CPU device; the whole device where it cannot be divided.
@@ -117,8 +126,9 @@ OpenCLProgram::OpenCLProgram(const cl::Device& device, const std::string& name)
     // A CPU fills its vectors within a work-item, and a group per candidate spreads the
     // work over its cores; a GPU fills its units with work-items.
     group_ = isOfType(device_, CL_DEVICE_TYPE_CPU) ? 1 : 64;
-    program_ =
-        cl::Program(context_, std::string(kernels::distances) + kernels::look_ups);
+    program_ = cl::Program(context_, std::string(kernels::distances) +
+                                         kernels::look_ups + kernels::fields +
+                                         kernels::shift_sums + kernels::bounds);
     try {
       program_.build({device_}, "-cl-std=CL1.2");
     }
@@ -127,34 +137,6 @@ OpenCLProgram::OpenCLProgram(const cl::Device& device, const std::string& name)
           "The OpenCL device \"" + name_ +
           "\" cannot build the kernels: " + error.getBuildLog().at(0).second);
     }
-  });
-}
-
-cl::Buffer
-OpenCLProgram::upload(const float* floats, std::size_t size)
-{
-  const cl::Buffer buffer = allocate(size);
-  checked([&] {
-    queue_.enqueueWriteBuffer(buffer, CL_TRUE, 0, size * sizeof(float), floats);
-  });
-  return buffer;
-}
-
-cl::Buffer
-OpenCLProgram::allocate(std::size_t floats)
-{
-  cl::Buffer buffer;
-  checked([&] {
-    buffer = cl::Buffer(context_, CL_MEM_READ_WRITE, floats * sizeof(float));
-  });
-  return buffer;
-}
-
-void
-OpenCLProgram::download(const cl::Buffer& buffer, float* floats, std::size_t size)
-{
-  checked([&] {
-    queue_.enqueueReadBuffer(buffer, CL_TRUE, 0, size * sizeof(float), floats);
   });
 }
 
@@ -171,22 +153,23 @@ OpenCLProgram::fail(const cl::Error& error) const
                     " with error " + std::to_string(error.err()) + ".");
 }
 
-std::shared_ptr<OpenCLProgram>
-openCLProgram(const std::string& device, unsigned int threads)
+std::vector<std::shared_ptr<OpenCLProgram>>
+openCLPrograms(const std::string& name, unsigned int threads)
 {
-  using Programs =
-      std::map<std::pair<std::string, unsigned int>, std::shared_ptr<OpenCLProgram>>;
+  using Programs = std::vector<std::shared_ptr<OpenCLProgram>>;
   static std::mutex mutex;
   // never destroyed: the OpenCL driver may be gone before static objects are
-  static Programs& programs = *new Programs;
+  static auto& known = *new std::map<std::pair<std::string, unsigned int>, Programs>;
   const std::lock_guard<std::mutex> lock(mutex);
-  auto& program = programs[{device, threads}];
-  if (!program) {
-    const NamedDevice found = findDevice(device);
-    program =
-        std::make_shared<OpenCLProgram>(partOf(found.device, threads), found.name);
+  Programs& programs = known[{name, threads}];
+  if (programs.empty()) {
+    Programs built;
+    for (const NamedDevice& found : findDevices(name))
+      built.push_back(
+          std::make_shared<OpenCLProgram>(partOf(found.device, threads), found.name));
+    programs = built;
   }
-  return program;
+  return programs;
 }
 
 std::vector<std::string>

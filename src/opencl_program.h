@@ -13,6 +13,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace pcl {
 namespace kss {
@@ -25,17 +26,39 @@ class OpenCLProgram {
 public:
   OpenCLProgram(const cl::Device& device, const std::string& name);
 
-  /** \brief A buffer on the device with a copy of \a floats. */
+  /** \brief A buffer on the device with a copy of \a values. */
+  template <typename Value>
   cl::Buffer
-  upload(const float* floats, std::size_t size);
+  upload(const Value* values, std::size_t size)
+  {
+    const cl::Buffer buffer = allocate<Value>(size);
+    checked([&] {
+      queue_.enqueueWriteBuffer(buffer, CL_TRUE, 0, size * sizeof(Value), values);
+    });
+    return buffer;
+  }
 
-  /** \brief A buffer for so many floats. */
+  /** \brief A buffer for so many values. */
+  template <typename Value>
   cl::Buffer
-  allocate(std::size_t floats);
+  allocate(std::size_t size)
+  {
+    cl::Buffer buffer;
+    checked([&] {
+      buffer = cl::Buffer(context_, CL_MEM_READ_WRITE, size * sizeof(Value));
+    });
+    return buffer;
+  }
 
-  /** \brief Copy the first floats of a buffer to the host. */
+  /** \brief Copy the first values of a buffer to the host. */
+  template <typename Value>
   void
-  download(const cl::Buffer& buffer, float* floats, std::size_t size);
+  download(const cl::Buffer& buffer, Value* values, std::size_t size)
+  {
+    checked([&] {
+      queue_.enqueueReadBuffer(buffer, CL_TRUE, 0, size * sizeof(Value), values);
+    });
+  }
 
   /** \brief Run a kernel and wait for it.
    * \param[in] kernel its name
@@ -96,13 +119,14 @@ OpenCLProgram::checked(const Work& work) const
   }
 }
 
-/** \brief The program for a device, built at the first call and kept for later ones.
- * \param[in] device part of a device's name, or "auto": the first GPU, else the first
- * \param[in] threads compute units to use of a CPU device; 0: all
- * \throws DeviceError
+/** \brief The programs for the devices that a name stands for, at least one; built at
+ * the first call and kept for later ones. \param[in] name part of a platform's name:
+ * all its devices; part of a device's name: the first such device; "auto": the first
+ * GPU, else the first device \param[in] threads compute units to use of a CPU device;
+ * 0: all \throws DeviceError
  */
-std::shared_ptr<OpenCLProgram>
-openCLProgram(const std::string& device, unsigned int threads);
+std::vector<std::shared_ptr<OpenCLProgram>>
+openCLPrograms(const std::string& name, unsigned int threads);
 
 } // namespace kss
 } // namespace pcl

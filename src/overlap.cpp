@@ -26,10 +26,13 @@ Share
 shareOf(const NearestPoints& from,
         const NearestPoints& to,
         const Eigen::Affine3f& placement,
-        float scale)
+        float scale,
+        Eigen::Index most)
 {
   Share share;
-  for (Eigen::Index i = 0; i < from.points().cols(); ++i) {
+  const Eigen::Index size = from.points().cols(), count = std::min(most, size);
+  for (Eigen::Index n = 0; n < count; ++n) {
+    const Eigen::Index i = n * size / count;
     float squared;
     const int nearest = to.nearest(placement * from.points().col(i), squared);
     const float spacing = std::max(scale * from.spacing()[i], to.spacing()[nearest]);
@@ -38,8 +41,8 @@ shareOf(const NearestPoints& from,
     if (squared < tolerance)
       share.closeness += 1.0f - squared / tolerance;
   }
-  share.covered /= from.points().cols();
-  share.closeness /= from.points().cols();
+  share.covered /= count;
+  share.closeness /= count;
   return share;
 }
 
@@ -48,12 +51,13 @@ shareOf(const NearestPoints& from,
 Overlap
 overlapAt(const NearestPoints& source,
           const NearestPoints& target,
-          const Eigen::Matrix4d& pose)
+          const Eigen::Matrix4d& pose,
+          Eigen::Index most)
 {
   const Eigen::Affine3f placement(pose.cast<float>());
   const auto scale = static_cast<float>(scaleOf(pose));
-  const Share forth = shareOf(source, target, placement, scale);
-  const Share back = shareOf(target, source, placement.inverse(), 1.0f / scale);
+  const Share forth = shareOf(source, target, placement, scale, most);
+  const Share back = shareOf(target, source, placement.inverse(), 1.0f / scale, most);
   return {forth.covered, back.covered, forth.closeness + back.closeness};
 }
 

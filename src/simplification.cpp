@@ -4,53 +4,19 @@
 
 #include <pcl/registration/kss/simplification.h>
 
+#include "cell_grid.h"
 #include "parallel.h"
 #include "take.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <functional>
 #include <limits>
-#include <numeric>
-#include <unordered_map>
+#include <vector>
 
 namespace pcl {
 namespace kss {
 namespace {
-
-using Cell = Eigen::Vector3i;
-
-/** A cell's coordinates in one number: 21 bits each. */
-std::uint64_t
-keyOf(const Cell& cell)
-{
-  return (static_cast<std::uint64_t>(cell.x()) << 42) |
-         (static_cast<std::uint64_t>(cell.y()) << 21) |
-         static_cast<std::uint64_t>(cell.z());
-}
-
-/** Cells of one edge over a cloud's bounding box, numbered from 1: their neighbours
- * then have numbers from 0. */
-class Cells {
-public:
-  Cells(const Points& cloud, float edge)
-  : lower_(cloud.rowwise().minCoeff())
-  , inverse_edge_(1.0f / edge)
-  {
-  }
-
-  Cell
-  of(const Eigen::Vector3f& point) const
-  {
-    return ((point - lower_) * inverse_edge_).cast<int>().array() + 1;
-  }
-
-private:
-  Eigen::Vector3f lower_;
-  float inverse_edge_;
-};
 
 /** L_p of (e6); 1 where all points coincide, so that it can divide. */
 float
@@ -75,8 +41,6 @@ struct Voxel {
   Cell cell;
   std::vector<int> points;
   std::vector<int> samples;
-  /** squared distance of each sample, when it was taken, to the samples before it */
-  std::vector<float> squared_gaps;
 };
 
 /** The occupied voxels of a cloud, in the eight rounds in which they may be sampled. */
@@ -84,59 +48,36 @@ class VoxelRounds {
 public:
   VoxelRounds(const Points& cloud, float edge)
   : cloud_(cloud)
+  , grid_(cloud, edge)
   {
-    const Cells cells(cloud, edge);
-    for (int i = 0; i < cloud.cols(); ++i) {
-      const Cell cell = cells.of(cloud.col(i));
-      const auto found = index_.emplace(keyOf(cell), voxels_.size());
-      if (found.second)
-        voxels_.push_back({cell, {}, {}, {}});
-      voxels_[found.first->second].points.push_back(i);
-    }
-    for (std::size_t v = 0; v < voxels_.size(); ++v) {
-      const Cell& cell = voxels_[v].cell;
+    for (std::size_t v = 0; v < grid_.occupied().size(); ++v) {
+      const Cell& cell = grid_.occupied()[v];
+      const auto points = grid_.order().begin();
+      const int voxel = static_cast<int>(v);
+      voxels_.push_back(
+          {cell, {points + grid_.begin(voxel), points + grid_.begin(voxel + 1)}, {}});
       rounds_[(cell.x() & 1) | (cell.y() & 1) << 1 | (cell.z() & 1) << 2].push_back(v);
     }
   }
 
-  std::vector<Voxel>&
-  voxels()
+  const std::vector<Voxel>&
+  voxels() const
   {
     return voxels_;
   }
 
   /** Farthest point sampling in every voxel, up to its quota. */
   void
-  sampleQuotas(const std::vector<std::size_t>& quotas, int threads)
+  sample(const std::vector<std::size_t>& quotas, unsigned int threads)
   {
-    sample([&](std::size_t v) { return quotas[v]; }, -1.0f, threads);
-  }
-
-  /** Farthest point sampling in every voxel, until no point of it is farther than \a
-   * gap from all samples. */
-  void
-  sampleApart(float gap, int threads)
-  {
-    sample([](std::size_t) { return ~std::size_t(0); }, gap * gap, threads);
+    for (const auto& round : rounds_) {
+      inParallel(round.size(), threads, 64, [&](std::ptrdiff_t i) {
+        sampleVoxel(voxels_[round[i]], quotas[round[i]]);
+      });
+    }
   }
 
 private:
-  template <typename Quota>
-  void
-  sample(const Quota& quota_of, float squared_gap, int threads)
-  {
-    for (Voxel& voxel : voxels_) {
-      voxel.samples.clear();
-      voxel.squared_gaps.clear();
-    }
-    for (const auto& round : rounds_) {
-      const auto size = static_cast<std::ptrdiff_t>(round.size());
-#pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
-      for (std::ptrdiff_t i = 0; i < size; ++i)
-        sampleVoxel(voxels_[round[i]], quota_of(round[i]), squared_gap);
-    }
-  }
-
   /** Samples that earlier rounds took in the 26 voxels around. */
   std::vector<int>
   samplesAround(const Voxel& voxel) const
@@ -145,17 +86,17 @@ private:
     for (int dx = -1; dx <= 1; ++dx)
       for (int dy = -1; dy <= 1; ++dy)
         for (int dz = -1; dz <= 1; ++dz) {
-          const auto found = index_.find(keyOf(voxel.cell + Cell(dx, dy, dz)));
-          if (found == index_.end() || &voxels_[found->second] == &voxel)
+          const int found = grid_.find(voxel.cell + Cell(dx, dy, dz));
+          if (found < 0 || &voxels_[found] == &voxel)
             continue;
-          const auto& others = voxels_[found->second].samples;
+          const auto& others = voxels_[found].samples;
           samples.insert(samples.end(), others.begin(), others.end());
         }
     return samples;
   }
 
   void
-  sampleVoxel(Voxel& voxel, std::size_t quota, float squared_gap) const
+  sampleVoxel(Voxel& voxel, std::size_t quota) const
   {
     const std::size_t n = voxel.points.size();
     Points points(3, n);
@@ -170,24 +111,22 @@ private:
 
     // with nothing sampled around, the point in the middle of the voxel comes first
     Eigen::Index next;
-    float farthest = squared.maxCoeff(&next);
-    if (farthest == std::numeric_limits<float>::max()) {
+    if (squared.maxCoeff(&next) == std::numeric_limits<float>::max()) {
       const Eigen::Vector3f middle = points.rowwise().mean();
       (points.colwise() - middle).colwise().squaredNorm().minCoeff(&next);
     }
-    while (voxel.samples.size() < quota && farthest > squared_gap) {
+    while (voxel.samples.size() < quota) {
       voxel.samples.push_back(voxel.points[next]);
-      voxel.squared_gaps.push_back(farthest);
       const Eigen::Vector3f sample = points.col(next);
       squared = squared.cwiseMin((points.colwise() - sample).colwise().squaredNorm());
       squared[next] = -1.0f; // taken, which a copy of it is not
-      farthest = squared.maxCoeff(&next);
+      squared.maxCoeff(&next);
     }
   }
 
   const Points& cloud_;
+  CellGrid grid_;
   std::vector<Voxel> voxels_;
-  std::unordered_map<std::uint64_t, std::size_t> index_;
   std::array<std::vector<std::size_t>, 8> rounds_;
 };
 
@@ -211,6 +150,19 @@ quotasByCount(const std::vector<Voxel>& voxels, std::size_t points, std::size_t 
   return quotas;
 }
 
+/** The first point of each cell; every so-manieth point takes part. */
+std::vector<int>
+onePerCell(const Points& cloud, float edge, std::size_t expected, int stride)
+{
+  const Cells cells(cloud, edge);
+  KeyTable table(expected);
+  std::vector<int> kept;
+  for (int i = 0; i < cloud.cols(); i += stride)
+    if (table.add(keyOf(cells.of(cloud.col(i)))) == static_cast<int>(kept.size()))
+      kept.push_back(i);
+  return kept;
+}
+
 /** The first point of each cell, of cells just large enough for about so many points to
  * come out; more than \a least and, unless a point far away from all others makes all
  * cells too large, fewer than \a most. */
@@ -218,169 +170,83 @@ std::vector<int>
 onePerCell(const Points& cloud, std::size_t least, std::size_t most)
 {
   // The points of a surface grow with the inverse square of the edge; of a line or a
-  // filled body a little otherwise, hence a few rounds.
+  // filled body a little otherwise, hence a few rounds. A dozen points for each cell
+  // are enough to find the edge.
+  const auto size = static_cast<std::size_t>(cloud.cols());
+  const int stride = static_cast<int>(std::max<std::size_t>(1, size / (12 * most)));
   const float aim = std::sqrt(static_cast<float>(least) * most);
-  float edge = longestEdge(cloud) / std::sqrt(aim);
+  const float longest = longestEdge(cloud);
+  float edge = longest / std::sqrt(aim);
   std::vector<int> kept;
   for (int round = 0; round < 8; ++round) {
-    edge = std::max(edge, longestEdge(cloud) / (1 << 20));
-    const Cells cells(cloud, edge);
-    std::unordered_map<std::uint64_t, int> first;
-    first.reserve(2 * most);
-    kept.clear();
-    for (int i = 0; i < cloud.cols(); ++i)
-      if (first.emplace(keyOf(cells.of(cloud.col(i))), i).second)
-        kept.push_back(i);
+    edge = std::max(edge, longest / Cells::most);
+    kept = onePerCell(cloud, edge, most, stride);
     if (kept.size() >= least && kept.size() <= most)
       break;
     edge *= std::sqrt(static_cast<float>(kept.size()) / aim);
   }
-  return kept;
-}
-
-/** Several times k points, which is as much as an even sampling by area can use: it
- * makes the rest of the work independent of the cloud's size. */
-Points
-thin(const Points& cloud, unsigned int k)
-{
-  const std::size_t wanted = 8 * static_cast<std::size_t>(k);
-  if (static_cast<std::size_t>(cloud.cols()) <= 2 * wanted)
-    return cloud;
-  const std::vector<int> kept = onePerCell(cloud, wanted, 3 * wanted);
-  return kept.size() < wanted ? cloud : take(cloud, kept);
-}
-
-/** The samples that lie at least \a gap apart; voxels are made large enough for the gap
- * to reach no farther than the adjacent ones. */
-std::vector<std::pair<float, int>>
-samplesApart(const Points& cloud, float gap, int threads)
-{
-  VoxelRounds rounds(cloud, std::max(voxelEdge(cloud), gap));
-  rounds.sampleApart(gap, threads);
-  std::vector<std::pair<float, int>> samples;
-  for (const Voxel& voxel : rounds.voxels())
-    for (std::size_t i = 0; i < voxel.samples.size(); ++i)
-      samples.emplace_back(voxel.squared_gaps[i], voxel.samples[i]);
-  return samples;
-}
-
-/** k samples at a common distance: the distance is searched until hardly more than k
- * come out, and those that came closest to others are left out. */
-std::vector<int>
-sampleEvenly(const Points& cloud, std::size_t k, int threads)
-{
-  float gap = longestEdge(cloud) / std::sqrt(static_cast<float>(k));
-  float too_wide = std::numeric_limits<float>::infinity(), narrow = 0.0f;
-  std::vector<std::pair<float, int>> best;
-  for (int round = 0; round < 24; ++round) {
-    auto samples = samplesApart(cloud, gap, threads);
-    const auto count = static_cast<float>(samples.size());
-    if (samples.size() >= k) {
-      narrow = gap;
-      if (best.empty() || samples.size() < best.size())
-        best = std::move(samples);
-      if (best.size() <= k + k / 50)
-        break;
-    }
-    else
-      too_wide = gap;
-    // aim a little above k, within what is known
-    const float aim = gap * std::sqrt(count / (1.01f * static_cast<float>(k)));
-    gap = aim > narrow && aim < too_wide ? aim
-          : std::isinf(too_wide)         ? 1.5f * gap
-                                         : 0.5f * (narrow + too_wide);
-  }
-  if (best.size() < k)
-    best = samplesApart(cloud, 0.0f, threads);
-  std::vector<int> indices;
-  if (best.size() > k) {
-    std::nth_element(best.begin(), best.begin() + k, best.end(), std::greater<>());
-    best.resize(k);
-  }
-  for (const auto& sample : best)
-    indices.push_back(sample.second);
-  std::sort(indices.begin(), indices.end());
-  return indices;
+  return stride == 1 ? kept : onePerCell(cloud, edge, most, 1);
 }
 
 /** A cloud of no more points than these is taken as it is: evenness would leave too
  * little of it to tell a shape by. */
 constexpr std::size_t fewest_samples = 64;
 
-/** How far the points of a cloud lie apart where they are sparse: of even samples, nine
- * in ten have another point within this distance. */
-float
-spacingWhereSparse(const Points& cloud, int threads)
-{
-  const std::size_t probes = std::min<std::size_t>(256, cloud.cols());
-  std::vector<float> nearest;
-  for (const int probe : sampleEvenly(cloud, probes, threads)) {
-    Eigen::RowVectorXf squared =
-        (cloud.colwise() - cloud.col(probe)).colwise().squaredNorm();
-    squared[probe] = std::numeric_limits<float>::max();
-    nearest.push_back(squared.minCoeff());
-  }
-  const auto ninth = nearest.begin() + nearest.size() * 9 / 10;
-  std::nth_element(nearest.begin(), ninth, nearest.end());
-  return std::sqrt(*ninth);
-}
+/** Points whose neighbours tell how sparse a cloud can be. */
+constexpr std::size_t spacing_probes = 256;
 
 } // namespace
 
-unsigned int
-evenSampleSize(const Points& cloud, unsigned int k, unsigned int threads)
+std::size_t
+evenSampleSize(const FarthestOrder& order, const Neighbourhoods& neighbourhoods)
 {
-  const Points thinned = thin(cloud, k);
-  const int n = threadCount(threads);
-  const auto apart = samplesApart(thinned, spacingWhereSparse(thinned, n), n).size();
-  return static_cast<unsigned int>(
-      std::min<std::size_t>(k, std::max(apart, fewest_samples)));
+  if (neighbourhoods.distances.rows() == 0)
+    return order.indices.size();
+  // How far points lie apart where they are sparse: of even samples, nine in ten have
+  // another point within this distance.
+  std::vector<float> nearest;
+  for (std::size_t i = 0; i < std::min(spacing_probes, order.indices.size()); ++i)
+    nearest.push_back(neighbourhoods.distances(0, order.indices[i]));
+  const auto ninth = nearest.begin() + nearest.size() * 9 / 10;
+  std::nth_element(nearest.begin(), ninth, nearest.end());
+  const auto closer = std::partition_point(order.gaps.begin(), order.gaps.end(),
+                                           [&](float gap) { return gap > *ninth; });
+  const std::size_t apart = closer - order.gaps.begin();
+  return std::min(order.indices.size(), std::max(apart, fewest_samples));
 }
 
 Points
-simplify(const Points& cloud, unsigned int k, Density density, unsigned int threads)
+simplify(const Points& cloud, std::size_t k, Density density, unsigned int threads)
 {
-  const int n = threadCount(threads);
-  if (density == Density::UNIFORM) {
-    const Points thinned = thin(cloud, k);
-    return take(thinned, sampleEvenly(thinned, k, n));
-  }
+  if (density == Density::UNIFORM)
+    return take(cloud, inFarthestOrder(cloud, k).indices);
   const std::size_t points = cloud.cols();
-  VoxelRounds rounds(cloud, voxelEdge(cloud));
   const std::size_t samples = std::min<std::size_t>(k, points);
-  rounds.sampleQuotas(quotasByCount(rounds.voxels(), points, samples), n);
+  VoxelRounds rounds(cloud, voxelEdge(cloud));
+  rounds.sample(quotasByCount(rounds.voxels(), points, samples), threads);
   std::vector<int> indices;
   for (const Voxel& voxel : rounds.voxels())
     indices.insert(indices.end(), voxel.samples.begin(), voxel.samples.end());
-  return take(cloud, indices);
+  const Points simplified = take(cloud, indices);
+  return take(simplified, inFarthestOrder(simplified, samples).indices);
 }
 
 Points
-thinned(const Points& cloud, unsigned int most)
+thinned(const Points& cloud, std::size_t most)
 {
-  if (cloud.cols() <= most)
+  if (static_cast<std::size_t>(cloud.cols()) <= most)
     return cloud;
-  const Points rest = take(cloud, onePerCell(cloud, most / 2, most));
-  return rest.cols() <= most ? rest : simplify(rest, most, Density::UNIFORM, 1);
-}
-
-Points
-inFarthestOrder(const Points& cloud)
-{
-  const Eigen::Vector3f middle = cloud.rowwise().mean();
-  Eigen::Index next;
-  (cloud.colwise() - middle).colwise().squaredNorm().minCoeff(&next);
-  Eigen::RowVectorXf squared =
-      Eigen::RowVectorXf::Constant(cloud.cols(), std::numeric_limits<float>::max());
-  Points ordered(3, cloud.cols());
-  for (Eigen::Index i = 0; i < cloud.cols(); ++i) {
-    const Eigen::Vector3f point = cloud.col(next);
-    ordered.col(i) = point;
-    squared = squared.cwiseMin((cloud.colwise() - point).colwise().squaredNorm());
-    squared[next] = -1.0f; // taken, which a copy of it is not
-    squared.maxCoeff(&next);
-  }
-  return ordered;
+  const std::size_t least = most / 2;
+  std::vector<int> kept = onePerCell(cloud, least, most);
+  // a point far away from all others makes all cells too large
+  const std::size_t step = cloud.cols() / most;
+  if (kept.size() < least)
+    for (std::size_t i = 0; i < most; ++i)
+      kept.push_back(static_cast<int>(i * step));
+  const Points rest = take(cloud, kept);
+  return static_cast<std::size_t>(rest.cols()) <= most
+             ? rest
+             : take(rest, inFarthestOrder(rest, most).indices);
 }
 
 } // namespace kss

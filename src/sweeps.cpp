@@ -34,7 +34,8 @@ scalesIn(const ScaleRange& range)
   std::vector<double> scales;
   for (int i = -3; i <= 3; ++i) {
     const double scale = std::pow(scale_step, i);
-    if (scale >= range.smallest && scale <= range.largest)
+    // rounding aside
+    if (scale >= 0.9999 * range.smallest && scale <= 1.0001 * range.largest)
       scales.push_back(scale);
   }
   if (scales.empty())
@@ -84,17 +85,31 @@ sweepsOf(const Settings& settings,
   const ScaleRange smaller{scales.smallest, scales.clamp(1.0)};
   const ScaleRange larger{scales.clamp(1.0), scales.largest};
 
+  // Centres of the cloud that the energy is directed to suit the screening; the paper
+  // replaces the centre of the incomplete cloud.
+  const auto onSource = [&](const ScaleRange& range, const Centers& centers,
+                            const std::vector<Weights>& energies) -> Sweep {
+    return {Candidates(rotations, scalesOf(range), centersOf(source, centers),
+                       Side::SOURCE),
+            energies};
+  };
+  const auto onTarget = [&](const ScaleRange& range, const Centers& centers,
+                            const std::vector<Weights>& energies) -> Sweep {
+    return {Candidates(rotations, scalesOf(range), centersOf(target, centers),
+                       Side::TARGET),
+            energies};
+  };
+
   switch (settings.mode) {
   case Mode::GLOBAL_GLOBAL:
     return {{Candidates(rotations, {scales.clamp(1.0)}, ownCenter(), Side::TARGET),
              {both}}};
   case Mode::PARTIAL_GLOBAL:
-    return {{Candidates(rotations, scalesOf(smaller), centersOf(source, of_a_part),
-                        Side::SOURCE),
-             {from_source}},
-            {Candidates(rotations, scalesOf(larger), centersOf(target, of_a_part),
-                        Side::TARGET),
-             {from_target}}};
+    if (settings.center_set == CenterSet::PAPER)
+      return {onSource(smaller, of_a_part, {from_source}),
+              onTarget(larger, of_a_part, {from_target})};
+    return {onTarget(smaller, of_a_part, {from_source}),
+            onSource(larger, of_a_part, {from_target})};
   default:
     break;
   }
@@ -104,14 +119,18 @@ sweepsOf(const Settings& settings,
       scales.smallest == scales.largest || settings.mode == Mode::PARTIAL_PARTIAL
           ? of_two_parts
           : of_a_part;
-  centers.reach *=
-      std::max(1.0, rootMeanSquareRadius(source) / rootMeanSquareRadius(target));
-  Sweep sweep{
-      Candidates(rotations, scalesOf(scales), centersOf(target, centers), Side::TARGET),
-      {both}};
-  if (settings.mode == Mode::AUTOMATIC)
-    sweep.energies.insert(sweep.energies.end(), {from_source, from_target});
-  return {sweep};
+  const double ratio = rootMeanSquareRadius(source) / rootMeanSquareRadius(target);
+  Centers on_source = centers, on_target = centers;
+  on_target.reach *= std::max(1.0, ratio);
+  on_source.reach *= std::max(1.0, 1.0 / ratio);
+  // A part is smaller than the whole, its pre-shape too large: what is turned upon the
+  // other cloud has to shrink, and one step more if the other is a part, too.
+  const ScaleRange shrunk{scales.smallest, scales.clamp(scale_step)};
+  const ScaleRange grown{scales.clamp(1.0 / scale_step), scales.largest};
+  if (settings.mode == Mode::PARTIAL_PARTIAL)
+    return {onTarget(shrunk, on_target, {both}), onSource(grown, on_source, {both})};
+  return {onTarget(shrunk, on_target, {both, from_source}),
+          onSource(grown, on_source, {both, from_target})};
 }
 
 } // namespace kss

@@ -23,13 +23,14 @@ namespace pcl {
  * guess.
  *
  * Both clouds are simplified to k uniform points and brought to Kendall's pre-shape
- * space; the distances of all candidates, rotations times centres times scales, are
- * computed on an OpenCL device; the local minima are refined; and
- * IterativeClosestPoint, governed by the settings inherited from it, finishes on the
- * clouds themselves. Either cloud may be incomplete, or both (setMode); stray points
- * are left out and heavy noise is averaged in the search. The method is Algorithm 1 of
- * C. Lv, W. Lin, B. Zhao, "KSS-ICP: Point Cloud Registration based on Kendall Shape
- * Space", IEEE Transactions on Image Processing, 2023.
+ * space; the candidates, rotations times centres times scales, are searched on an
+ * OpenCL device; the local minima are refined; and IterativeClosestPoint, governed by
+ * the settings inherited from it, finishes with points of the source on the target as
+ * it is. What has been made of a cloud is kept as long as the next call brings the same
+ * cloud. Either cloud may be incomplete, or both (setMode); stray points are left out
+ * and heavy noise is averaged in the search. The method is Algorithm 1 of C. Lv, W.
+ * Lin, B. Zhao, "KSS-ICP: Point Cloud Registration based on Kendall Shape Space", IEEE
+ * Transactions on Image Processing, 2023.
  *
  * \code
  * pcl::KSSICP<pcl::PointXYZ, pcl::PointXYZ> registration;
@@ -371,6 +372,23 @@ public:
     return settings_.threads;
   }
 
+  /** \brief Set how many points of the source take part in the final ICP.
+   * \param[in] points 10000 by default, spread over the source; 0: all. The target
+   * takes part as it is.
+   */
+  void
+  setNumberOfICPPoints(unsigned int points)
+  {
+    settings_.icp_points = points;
+  }
+
+  /** \brief Get how many points of the source take part in the final ICP; 0: all. */
+  unsigned int
+  getNumberOfICPPoints() const
+  {
+    return settings_.icp_points;
+  }
+
   /** \brief Set the confidence from which on hasConverged() is true (default 0.5).
    * \param[in] confidence in [0, 1]
    */
@@ -465,6 +483,7 @@ public:
 protected:
   using Base::converged_;
   using Base::corr_dist_threshold_;
+  using Base::correspondence_estimation_;
   using Base::correspondences_;
   using Base::final_transformation_;
   using Base::indices_;
@@ -528,21 +547,16 @@ private:
   void
   registerClouds(const Matrix4& guess);
 
-  /** \brief Those points of the source. */
-  PointCloudSourceConstPtr
-  pick(const Indices& indices) const;
-
-  /** \brief IterativeClosestPoint on the clouds themselves: T of (e11). */
+  /** \brief IterativeClosestPoint on the clouds themselves: T of (e11).
+   * \param[in] source the points that take part
+   * \param[in] contender where to start
+   */
   Contender
-  handOff(kss::Alignment& alignment,
-          const PointCloudSourceConstPtr& source,
-          const Eigen::Matrix4d& pose);
+  handOff(const PointCloudSourceConstPtr& source, const Contender& contender);
 
   /** \brief Hand off the best until the best has been handed off, and put it first. */
   void
-  settle(kss::Alignment& alignment,
-         const PointCloudSourceConstPtr& source,
-         std::vector<Contender>& contenders);
+  settle(const PointCloudSourceConstPtr& source, std::vector<Contender>& contenders);
 
   /** \brief Take a contender as the result. */
   void
@@ -561,6 +575,7 @@ private:
   giveUp(const Matrix4& guess, const std::string& reason);
 
   kss::Settings settings_;
+  std::unique_ptr<kss::Alignment> alignment_; ///< keeps what the next align() can use
   double minimum_confidence_ = 0.5;
   bool source_is_output_ = false;
 

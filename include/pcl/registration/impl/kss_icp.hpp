@@ -7,6 +7,7 @@
 #include <pcl/console/print.h>
 #include <pcl/registration/kss/cloud_conversion.h>
 #include <pcl/registration/kss/hand_off_criteria.h>
+#include <pcl/registration/kss/tracked_correspondences.h>
 #include <pcl/registration/kss_icp.h>
 
 #include <algorithm>
@@ -39,6 +40,8 @@ KSSICP<PointSource, PointTarget, Scalar>::KSSICP()
       nr_iterations_, transformation_, *correspondences_));
   convergence_criteria_->setAbsoluteMSE(0.0);
   convergence_criteria_->setFailureAfterMaximumIterations(true);
+  correspondence_estimation_.reset(
+      new kss::TrackedCorrespondences<PointSource, PointTarget, Scalar>);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -60,6 +63,11 @@ void
 KSSICP<PointSource, PointTarget, Scalar>::setInputTarget(
     const PointCloudTargetConstPtr& cloud)
 {
+  // the same cloud may hold other points than before
+  if (auto* tracked =
+          dynamic_cast<kss::TrackedCorrespondences<PointSource, PointTarget, Scalar>*>(
+              correspondence_estimation_.get()))
+    tracked->reset();
   if (cloud && !cloud->empty()) {
     Base::setInputTarget(cloud);
     return;
@@ -171,7 +179,11 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
     throw std::invalid_argument("The target cloud has no finite points.");
 
   // simplification, pre-shape, {O}, energies, minima, ICP on each
-  kss::Alignment alignment(settings_);
+  if (alignment_ && kss::sameWork(alignment_->settings(), settings_))
+    alignment_->setProgress(settings_.progress);
+  else
+    alignment_ = std::make_unique<kss::Alignment>(settings_);
+  kss::Alignment& alignment = *alignment_;
   device_name_ = alignment.deviceName();
   alignment.setClouds(kss::toLocalCloud(*input_, source_indices),
                       kss::toLocalCloud(*target_, target_indices),
@@ -180,14 +192,20 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
 
   // ICP on the clouds themselves
   report("hand-off", 0.0);
-  const PointCloudSourceConstPtr source = pick(source_indices);
+  if (auto* criteria =
+          dynamic_cast<kss::HandOffCriteria<Scalar>*>(convergence_criteria_.get()))
+    criteria->setRoundingError(kss::roundingError(*target_));
+  Indices used = kss::spread(source_indices, settings_.icp_points);
+  kss::sortInSpace(*input_, used);
+  const auto source = pcl::make_shared<PointCloudSource>(*input_, used);
+  source->is_dense = true;
   std::vector<Contender> contenders;
   for (const Alternative& alternative : found)
     contenders.push_back({alternative, {}});
   if (has_guess)
-    contenders.push_back(handOff(alignment, source, guessed));
-  settle(alignment, source, contenders);
-  accept(contenders.front(), source_indices);
+    contenders.push_back(handOff(source, {alignment.judge(guessed), {}}));
+  settle(source, contenders);
+  accept(contenders.front(), used);
   for (const Contender& contender : contenders)
     if (std::none_of(alternatives_.begin(), alternatives_.end(),
                      [&](const Alternative& listed) {
@@ -203,8 +221,7 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 void
-KSSICP<PointSource, PointTarget, Scalar>::settle(kss::Alignment& alignment,
-                                                 const PointCloudSourceConstPtr& source,
+KSSICP<PointSource, PointTarget, Scalar>::settle(const PointCloudSourceConstPtr& source,
                                                  std::vector<Contender>& contenders)
 {
   const auto rank = [&] {
@@ -215,12 +232,11 @@ KSSICP<PointSource, PointTarget, Scalar>::settle(kss::Alignment& alignment,
   };
   rank();
   for (int runs = 0; runs < kss::most_hand_offs && !contenders.front().run; ++runs) {
-    const Eigen::Matrix4d pose = contenders.front().pose.transformation;
     // where nothing fits, one run is enough to say so
     if (runs > 0 &&
         kss::confidenceOf(contenders.front().pose.overlap) < minimum_confidence_)
       break;
-    contenders.front() = handOff(alignment, source, pose);
+    contenders.front() = handOff(source, contenders.front());
     rank();
   }
   const auto best =
@@ -232,15 +248,12 @@ KSSICP<PointSource, PointTarget, Scalar>::settle(kss::Alignment& alignment,
 template <typename PointSource, typename PointTarget, typename Scalar>
 typename KSSICP<PointSource, PointTarget, Scalar>::Contender
 KSSICP<PointSource, PointTarget, Scalar>::handOff(
-    kss::Alignment& alignment,
-    const PointCloudSourceConstPtr& source,
-    const Eigen::Matrix4d& pose)
+    const PointCloudSourceConstPtr& source, const Contender& contender)
 {
-  if (auto* criteria =
-          dynamic_cast<kss::HandOffCriteria<Scalar>*>(convergence_criteria_.get()))
-    criteria->setRoundingError(kss::roundingError(*target_));
+  const kss::Alignment& alignment = *alignment_;
+  const Eigen::Matrix4d& pose = contender.pose.transformation;
 
-  // ICP reads input_, all of it; it gets the finite, indexed points, for so long
+  // ICP reads input_, all of it; it gets those points for so long
   struct Restore {
     KSSICP& icp;
     PointCloudSourceConstPtr input;
@@ -262,27 +275,13 @@ KSSICP<PointSource, PointTarget, Scalar>::handOff(
               nr_iterations_,        converged_,      *correspondences_};
 
   // nearest points lead astray where noise is heavy
-  const Alternative before = alignment.judge(pose);
   Alternative after = alignment.judge(final_transformation_.template cast<double>());
-  if (after.overlap.score < (1.0 - kss::hand_off_loss) * before.overlap.score) {
-    after = before;
+  if (after.overlap.score < (1.0 - kss::hand_off_loss) * contender.pose.overlap.score) {
+    after = contender.pose;
     run.transformation = pose.cast<Scalar>();
     run.converged = true;
   }
   return {after, std::make_shared<HandOff>(run)};
-}
-
-template <typename PointSource, typename PointTarget, typename Scalar>
-typename KSSICP<PointSource, PointTarget, Scalar>::PointCloudSourceConstPtr
-KSSICP<PointSource, PointTarget, Scalar>::pick(const Indices& indices) const
-{
-  Indices all(input_->size());
-  std::iota(all.begin(), all.end(), 0);
-  if (indices == all)
-    return input_;
-  const auto picked = pcl::make_shared<PointCloudSource>(*input_, indices);
-  picked->is_dense = true;
-  return picked;
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -513,6 +512,7 @@ KSSICP<PointSource, PointTarget, Scalar>::setSettings(const kss::Settings& setti
   const kss::Settings checked = settings_;
   settings_ = settings;
   settings_.sample_points = checked.sample_points;
+  settings_.search_points = checked.search_points;
   settings_.angle_step = checked.angle_step;
   settings_.even_rotations = checked.even_rotations;
   settings_.local_minimum_kernel = checked.local_minimum_kernel;
@@ -520,6 +520,9 @@ KSSICP<PointSource, PointTarget, Scalar>::setSettings(const kss::Settings& setti
   settings_.smallest_scale = checked.smallest_scale;
   settings_.largest_scale = checked.largest_scale;
   setNumberOfSamplePoints(settings.sample_points);
+  set(settings_.search_points, settings.search_points,
+      settings.search_points >= 1 && settings.search_points <= 128,
+      "setSettings] The number of search points must lie between 1 and 128.");
   setAngleStep(settings.angle_step);
   setNumberOfEvenRotations(settings.even_rotations);
   setLocalMinimumKernel(settings.local_minimum_kernel);

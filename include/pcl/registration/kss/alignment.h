@@ -4,12 +4,13 @@
 
 #pragma once
 
-#include <pcl/registration/kss/distances.h>
+#include <pcl/registration/kss/candidate_search.h>
 #include <pcl/registration/kss/nearest_points.h>
 #include <pcl/registration/kss/overlap.h>
 #include <pcl/registration/kss/points.h>
 #include <pcl/registration/kss/pre_shape.h>
-#include <pcl/registration/kss/refinement.h>
+#include <pcl/registration/kss/preparation.h>
+#include <pcl/registration/kss/selection.h>
 #include <pcl/registration/kss/settings.h>
 #include <pcl/registration/kss/stage_seconds.h>
 #include <pcl/registration/kss/sweeps.h>
@@ -45,7 +46,7 @@ public:
   explicit Alignment(const Settings& settings);
 
   /** \brief Set the two clouds: cleans and simplifies them and maps them to pre-shape
-   * space.
+   * space. What a cloud that has not changed since the last call needs is kept.
    * \param[in] source cloud to be placed
    * \param[in] target cloud to be placed upon
    * \param[in] known_scale the scale of all poses where the settings do not have it
@@ -54,6 +55,20 @@ public:
    */
   void
   setClouds(const LocalCloud& source, const LocalCloud& target, double known_scale);
+
+  /** \brief What the work is done with. */
+  const Settings&
+  settings() const
+  {
+    return settings_;
+  }
+
+  /** \brief Have another function told how far the work has come. */
+  void
+  setProgress(const ProgressCallback& progress)
+  {
+    settings_.progress = progress;
+  }
 
   /** \brief Search all candidates and refine the best. */
   Alternatives
@@ -83,62 +98,25 @@ public:
   clock();
 
 private:
-  /** \brief A cloud in pre-shape space, simplified for the search and as it is (clean,
-   * and no larger than needed) for refinement and judgement. */
-  struct Shape {
-    PreShape simplified;
-    NearestPoints all;
-  };
+  void
+  prepare(PreparedCloud& prepared_cloud, const LocalCloud& cloud);
 
-  /** \brief A local minimum of an energy: a pose between the pre-shapes. */
-  struct Minimum {
-    Eigen::Matrix4d pose;
-    float energy;
-    Weights weights;
-  };
-
-  using Poses = std::vector<Eigen::Matrix4d>;
+  void
+  toPreShapeSpace(const PreparedCloud& source,
+                  const PreparedCloud& target,
+                  double known_scale);
 
   ScaleRange
   scaleRange() const;
-
-  std::vector<Minimum>
-  localMinima();
-
-  std::vector<std::vector<float>>
-  energiesOf(const Sweep& sweep);
-
-  double
-  energyAt(const Eigen::Matrix4d& pose, const Weights& weights);
-
-  /** \brief The distinct poses that ICP leads to, the best first; the progress goes from
-   * \a begin to \a end. */
-  Poses
-  refined(Poses poses, double begin, double end);
-
-  /** \brief One round of that; the poses are ranked by \a badness, and of those closer
-   * together than \a distinct one is kept. */
-  template <typename Badness>
-  Poses
-  refined(const Poses& poses,
-          const Refinement& refinement,
-          const Refinement::Effort& effort,
-          const Badness& badness,
-          double distinct,
-          std::size_t most) const;
-
-  double
-  truncatedMean(const Eigen::Matrix4d& pose, Eigen::Index points, double limit) const;
-
-  double
-  displacement(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const;
 
   void
   report(const char* stage, double done) const;
 
   Settings settings_;
-  std::unique_ptr<DistanceEvaluator> evaluator_;
+  CandidateSearch search_;
+  PreparedCloud source_cloud_, target_cloud_;
   std::optional<Shape> source_, target_;
+  std::optional<PoseMetric> metric_;
   bool is_noisy_ = false;
   StageClock clock_;
 };

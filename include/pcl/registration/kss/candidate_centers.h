@@ -18,6 +18,10 @@ struct CandidateCenters {
   std::vector<Eigen::Vector3d> centers;
   /** \brief Their number along each axis of the grid. */
   std::array<int, 3> steps;
+  /** \brief The axes of the grid, columns of unit length. */
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  /** \brief The distance of adjacent centres along each axis. */
+  Eigen::Array3d spacing = Eigen::Array3d::Zero();
 };
 
 /** \brief The centre of the cloud alone: both clouds are complete. */
@@ -38,9 +42,11 @@ paperCenters(const Points& cloud);
  *
  * If a body of even cross-section lacks half of itself, the centre of the rest lies
  * 0.87 standard deviations off along the axis that is cut; the centres of two parts can
- * lie twice as far apart. \param[in] cloud a pre-shape \param[in] reach how far the box
- * reaches, in standard deviations along each axis \param[in] step the largest distance
- * of adjacent centres
+ * lie twice as far apart.
+ * \param[in] cloud a pre-shape
+ * \param[in] reach how far the box reaches, in standard deviations along each axis
+ * \param[in] step the largest distance of adjacent centres, unless more than ten
+ * thousand centres would be needed
  */
 CandidateCenters
 spreadCenters(const Points& cloud, double reach, double step);

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -32,11 +33,18 @@ public:
    * \param[in] index a rotation of the set
    * \param[in] kernel the edge of the kernel in steps
    */
-  virtual std::vector<std::size_t>
-  neighbours(std::size_t index, unsigned int kernel) const = 0;
+  const std::vector<std::size_t>&
+  neighbours(std::size_t index, unsigned int kernel) const;
 
 protected:
+  virtual std::vector<std::size_t>
+  findNeighbours(std::size_t index, unsigned int kernel) const = 0;
+
   Rotations rotations_;
+
+private:
+  // found when they are first asked for
+  mutable std::map<unsigned int, std::vector<std::vector<std::size_t>>> neighbours_;
 };
 
 /** \brief All triples of multiples of an angle, about x, then y, then z: (e10).
@@ -50,8 +58,9 @@ public:
   /** \param[in] angle_step theta, in radians; rounded so that steps fill the circle */
   explicit EulerRotations(double angle_step);
 
+protected:
   std::vector<std::size_t>
-  neighbours(std::size_t index, unsigned int kernel) const override;
+  findNeighbours(std::size_t index, unsigned int kernel) const override;
 
 private:
   int steps_;
@@ -66,8 +75,9 @@ public:
   /** \param[in] number how many rotations; at least 1 */
   explicit EvenRotations(unsigned int number);
 
+protected:
   std::vector<std::size_t>
-  neighbours(std::size_t index, unsigned int kernel) const override;
+  findNeighbours(std::size_t index, unsigned int kernel) const override;
 };
 
 /** \brief The set that the settings ask for. */

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <pcl/registration/kss/neighbourhoods.h>
 #include <pcl/registration/kss/points.h>
 
 namespace pcl {
@@ -16,6 +17,9 @@ namespace kss {
 Points
 withoutCopies(const Points& cloud);
 
+/** \brief Neighbours that the points of a clean cloud know. */
+constexpr int known_neighbours = 12;
+
 /** \brief Leave out stray points: those that farthest point sampling would seek out.
  *
  * A point goes that has much more space around it than its neighbours have, or that is
@@ -23,9 +27,10 @@ withoutCopies(const Points& cloud);
  * of a surface stay.
  * \param[in] cloud any number of points
  * \param[in] threads 0: as many as there are cores; the result does not depend on it
- * \return the other points; all where most would have to go
+ * \return the other points; all where most would have to go. Their neighbours come with
+ * them: at least \ref known_neighbours, where there are as many points.
  */
-Points
+Surface
 withoutStrayPoints(const Points& cloud, unsigned int threads);
 
 /** \brief Whether noise is so heavy that the points fill space instead of lying on a

@@ -64,13 +64,18 @@ public:
   deviceName() const = 0;
 };
 
-/** \brief The evaluator that the settings ask for, by look-ups or brute force: with the
- * device "auto" the host takes over, with one warning, where no OpenCL device can be
- * had.
+/** \brief All pairs of points, where the settings say: with the device "auto" the host
+ * takes over, with one warning, where no OpenCL device can be had.
  * \throws DeviceError where a device asked for by name cannot be had
  */
 std::unique_ptr<DistanceEvaluator>
 makeEvaluator(const Settings& settings);
+
+/** \brief Look-ups of the first Settings::search_points of each cloud, where the
+ * settings say; as makeEvaluator().
+ */
+std::unique_ptr<DistanceEvaluator>
+makeLookUpEvaluator(const Settings& settings);
 
 /** \brief All pairs of points on the host: the reference.
  * \param[in] threads 0: as many as there are cores
@@ -79,7 +84,7 @@ std::unique_ptr<DistanceEvaluator>
 makeHostEvaluator(unsigned int threads);
 
 /** \brief All pairs of points on an OpenCL device.
- * \param[in] device part of a device's name, or "auto": the first GPU, else the first
+ * \param[in] device part of a name, or "auto": see Settings::device
  * \param[in] threads compute units to use of a CPU device; 0: all
  * \throws DeviceError where there is no such device or it does not work
  */
@@ -98,7 +103,7 @@ std::unique_ptr<DistanceEvaluator>
 makeHostLookUpEvaluator(unsigned int threads, unsigned int probes);
 
 /** \brief Look-ups in distance fields on an OpenCL device: as on the host.
- * \param[in] device part of a device's name, or "auto": the first GPU, else the first
+ * \param[in] device part of a name, or "auto": see Settings::device
  * \param[in] threads compute units to use of a CPU device; 0: all
  * \param[in] probes points of each cloud, the first ones, whose distances are looked up
  * \throws DeviceError where there is no such device or it does not work

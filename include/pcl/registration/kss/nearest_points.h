@@ -8,6 +8,9 @@
 #include <pcl/registration/kss/neighbourhoods.h>
 #include <pcl/registration/kss/points.h>
 
+#include <limits>
+#include <vector>
+
 namespace pcl {
 namespace kss {
 
@@ -23,6 +26,9 @@ public:
    * \param[in] threads for the preparation; 0: as many as there are cores
    */
   NearestPoints(const Points& points, unsigned int threads);
+
+  /** \param[in] surface points, at least one, that know their neighbours */
+  explicit NearestPoints(const Surface& surface);
 
   /** \brief A point near a position: the one nearest to the centre of its cell.
    * \param[in] position anywhere
@@ -45,18 +51,42 @@ public:
   int
   nearest(const Eigen::Vector3f& position, float& squared_distance) const
   {
+    float second;
+    return nearest(position, squared_distance, second);
+  }
+
+  /** \brief The point nearest to a position, and how near the second nearest is.
+   * \param[in] position anywhere
+   * \param[out] squared_distance of the two
+   * \param[out] second_squared_distance the next larger one; infinite where there is no
+   * other point
+   * \return its index
+   */
+  int
+  nearest(const Eigen::Vector3f& position,
+          float& squared_distance,
+          float& second_squared_distance) const
+  {
     int best = near(position, squared_distance);
-    for (bool closer = true; closer;) {
-      closer = false;
-      const auto around = neighbourhoods_.indices.col(best);
-      for (Eigen::Index n = 0; n < around.size(); ++n) {
-        const float squared = (points_.col(around[n]) - position).squaredNorm();
-        if (squared < squared_distance) {
-          squared_distance = squared;
-          best = around[n];
-          closer = true;
-        }
+    second_squared_distance = std::numeric_limits<float>::infinity();
+    for (int from = -1; from != best;) {
+      from = best;
+      const Around& around = around_[from];
+      float squared[neighbours];
+      for (int n = 0; n < neighbours; ++n) {
+        const float x = around.x[n] - position.x();
+        const float y = around.y[n] - position.y();
+        const float z = around.z[n] - position.z();
+        squared[n] = x * x + y * y + z * z;
       }
+      for (int n = 0; n < neighbours; ++n)
+        if (squared[n] < squared_distance) {
+          second_squared_distance = squared_distance;
+          squared_distance = squared[n];
+          best = around.indices[n];
+        }
+        else if (squared[n] < second_squared_distance && around.indices[n] != best)
+          second_squared_distance = squared[n];
     }
     return best;
   }
@@ -76,8 +106,17 @@ public:
   }
 
 private:
+  /** Enough for nearly every direction to have a neighbour in it, and whole vectors. */
+  static constexpr int neighbours = 12;
+
+  /** The neighbours of a point, coordinates apart; where there are fewer, copies. */
+  struct Around {
+    float x[neighbours], y[neighbours], z[neighbours];
+    int indices[neighbours];
+  };
+
   Points points_;
-  Neighbourhoods neighbourhoods_;
+  std::vector<Around> around_;
   Eigen::VectorXf spacing_;
   DistanceField field_;
 };

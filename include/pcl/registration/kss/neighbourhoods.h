@@ -6,6 +6,9 @@
 
 #include <pcl/registration/kss/points.h>
 
+#include <optional>
+#include <vector>
+
 namespace pcl {
 namespace kss {
 
@@ -18,6 +21,12 @@ struct Neighbourhoods {
   Eigen::MatrixXf distances;
 };
 
+/** \brief Points that know their neighbours. */
+struct Surface {
+  Points points;
+  Neighbourhoods neighbourhoods;
+};
+
 /** \brief Find the neighbourhoods of a cloud.
  * \param[in] points the cloud
  * \param[in] neighbours how many of each point; fewer where the cloud has no more
@@ -25,6 +34,17 @@ struct Neighbourhoods {
  */
 Neighbourhoods
 neighbourhoodsOf(const Points& points, int neighbours, unsigned int threads);
+
+/** \brief The neighbourhoods of some of the points, as far as they are known.
+ * \param[in] neighbourhoods of a cloud
+ * \param[in] kept indices of points, rising
+ * \param[in] neighbours how many of each point to keep
+ * \return none where a point keeps fewer of its neighbours
+ */
+std::optional<Neighbourhoods>
+restrictedTo(const Neighbourhoods& neighbourhoods,
+             const std::vector<int>& kept,
+             int neighbours);
 
 /** \brief The surface variation of every neighbourhood (M. Pauly, M. Gross, L. P.
  * Kobbelt, "Efficient Simplification of Point-Sampled Surfaces", 2002): the smallest

@@ -6,6 +6,8 @@
 
 #include <pcl/registration/kss/nearest_points.h>
 
+#include <limits>
+
 #include <Eigen/Geometry>
 
 namespace pcl {
@@ -36,7 +38,8 @@ struct Overlap {
 Overlap
 overlapAt(const NearestPoints& source,
           const NearestPoints& target,
-          const Eigen::Matrix4d& pose);
+          const Eigen::Matrix4d& pose,
+          Eigen::Index most = std::numeric_limits<Eigen::Index>::max());
 
 } // namespace kss
 } // namespace pcl

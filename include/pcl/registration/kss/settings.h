@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <tuple>
 
 namespace pcl {
 namespace kss {
@@ -47,7 +48,11 @@ enum class Energy {
 
 /** \brief How the candidates' distances are computed. */
 enum class Search {
-  LOOK_UP,    ///< from distance fields: a look-up per point (default)
+  SCREENED, ///< few points tell which candidates deserve a closer look, by look-ups in
+            ///< distance fields: for TRUNCATED_MEAN and SPREAD centres, else as EXACT
+            ///< (default)
+  EXACT,    ///< the same answer as brute force, by bounds from look-ups: from all
+            ///< pairs of points only where bounds decide nothing
   BRUTE_FORCE ///< from all pairs of points: the reference
 };
 
@@ -79,8 +84,9 @@ struct Settings {
   /** What is minimal at the right candidate. */
   Energy energy = Energy::TRUNCATED_MEAN;
   /** How the energy is computed. */
-  Search search = Search::LOOK_UP;
-  /** Points of each simplified cloud that take part in a search by look-ups. */
+  Search search = Search::SCREENED;
+  /** Points of each simplified cloud that take part in a screened search; 128 at most.
+   */
   unsigned int search_points = 96;
   /** Edge of the kernel of rotations in which a local minimum is the smallest, in
    * steps. */
@@ -94,8 +100,12 @@ struct Settings {
   double smallest_scale = 0.0;
   /** Largest scale of the transformation where it is estimated. */
   double largest_scale = std::numeric_limits<double>::infinity();
+  /** Points of the source that take part in the final ICP on the target as it is; 0:
+   * all. */
+  unsigned int icp_points = 10000;
   /** "auto": the first OpenCL device, GPUs first, else the host; "host": no OpenCL;
-   * anything else: the OpenCL device whose name contains it. */
+   * anything else: all OpenCL devices of the platform whose name contains it, else
+   * the device whose name does. */
   std::string device = "auto";
   /** Threads, on the host and on an OpenCL CPU device; 0: as many as there are cores.
    */
@@ -103,6 +113,21 @@ struct Settings {
   /** Called as the work proceeds; may be empty. */
   ProgressCallback progress;
 };
+
+/** \brief Whether two settings ask for the same work; who is told of its progress, and
+ * the ICP after it, aside. */
+inline bool
+sameWork(const Settings& a, const Settings& b)
+{
+  const auto work = [](const Settings& s) {
+    return std::tie(s.mode, s.sample_points, s.density, s.clean, s.rotation_set,
+                    s.angle_step, s.even_rotations, s.center_set, s.energy, s.search,
+                    s.search_points, s.local_minimum_kernel,
+                    s.additional_process_threshold, s.estimate_scale, s.smallest_scale,
+                    s.largest_scale, s.device, s.threads);
+  };
+  return work(a) == work(b);
+}
 
 /** \brief The settings of the paper: Hausdorff distances of all pairs of points, the
  * Euler grid, its centres, voxel quotas by count, clouds as they are.
@@ -121,8 +146,9 @@ paperSettings(Settings settings)
   settings.rotation_set = RotationSet::EULER;
   settings.angle_step = Settings().angle_step;
   settings.center_set = CenterSet::PAPER;
+  settings.icp_points = 0;
   settings.energy = Energy::HAUSDORFF;
-  settings.search = Search::BRUTE_FORCE;
+  settings.search = Search::EXACT;
   settings.local_minimum_kernel = 5;
   settings.additional_process_threshold = 0.001;
   return settings;

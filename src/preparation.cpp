@@ -1,0 +1,86 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include <pcl/registration/kss/cleaning.h>
+#include <pcl/registration/kss/preparation.h>
+#include <pcl/registration/kss/simplification.h>
+
+#include "take.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace kss {
+namespace {
+
+/** Points of a cloud that take part in refinement and judgement at most. */
+constexpr std::size_t most_points = 12000;
+
+/** Means of a noisy cloud. */
+constexpr unsigned int most_means = 2500;
+
+FarthestOrder
+orderOf(const Points& points, const Settings& settings)
+{
+  // the paper's quotas need no order
+  return settings.density == Density::UNIFORM
+             ? inFarthestOrder(points, settings.sample_points)
+             : FarthestOrder();
+}
+
+} // namespace
+
+PreparedCloud
+prepared(const LocalCloud& cloud, const Settings& settings)
+{
+  PreparedCloud prepared;
+  prepared.input = cloud;
+  const Points points = withoutCopies(thinned(cloud.points, most_points));
+  if (settings.clean) {
+    prepared.surface = withoutStrayPoints(points, settings.threads);
+    prepared.is_noisy = isNoisy(prepared.surface.points, settings.threads);
+  }
+  else
+    prepared.surface = {points,
+                        neighbourhoodsOf(points, known_neighbours, settings.threads)};
+  prepared.order = orderOf(prepared.surface.points, settings);
+  return prepared;
+}
+
+void
+averageNoise(PreparedCloud& source, PreparedCloud& target, const Settings& settings)
+{
+  averageNoise(source.surface.points, target.surface.points, most_means,
+               settings.threads);
+  for (PreparedCloud* cloud : {&source, &target}) {
+    cloud->surface.neighbourhoods =
+        neighbourhoodsOf(cloud->surface.points, known_neighbours, settings.threads);
+    cloud->order = orderOf(cloud->surface.points, settings);
+  }
+}
+
+std::pair<Points, Points>
+simplified(const PreparedCloud& source,
+           const PreparedCloud& target,
+           const Settings& settings)
+{
+  if (settings.density == Density::PAPER) {
+    const auto simple = [&](const PreparedCloud& cloud) {
+      return simplify(cloud.surface.points, settings.sample_points, Density::PAPER,
+                      settings.threads);
+    };
+    return {simple(source), simple(target)};
+  }
+  const std::size_t k =
+      std::min(evenSampleSize(source.order, source.surface.neighbourhoods),
+               evenSampleSize(target.order, target.surface.neighbourhoods));
+  const auto first = [k](const PreparedCloud& cloud) {
+    return take(cloud.surface.points,
+                {cloud.order.indices.begin(), cloud.order.indices.begin() + k});
+  };
+  return {first(source), first(target)};
+}
+
+} // namespace kss
+} // namespace pcl

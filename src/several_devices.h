@@ -1,0 +1,75 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include "opencl_program.h"
+
+#include <cstddef>
+#include <future>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace kss {
+
+/** \brief One worker for each of the devices that a name stands for, each of which does
+ * its share of the work: neighbouring candidates, so that the results of all follow
+ * each other as if one had done everything.
+ */
+template <typename Worker>
+class SeveralDevices {
+public:
+  /** \param[in] name see openCLPrograms()
+   * \param[in] threads see openCLPrograms()
+   * \throws DeviceError
+   */
+  SeveralDevices(const std::string& name, unsigned int threads)
+  {
+    for (const auto& program : openCLPrograms(name, threads)) {
+      workers_.push_back(std::make_unique<Worker>(program));
+      name_ += (name_.empty() ? "" : " + ") + program->deviceName();
+    }
+  }
+
+  /** \brief Have each worker do something, one after the other. */
+  template <typename Task>
+  void
+  forEach(const Task& task)
+  {
+    for (const auto& worker : workers_)
+      task(*worker);
+  }
+
+  /** \brief Have all workers do their shares at once: task(worker, begin, end). */
+  template <typename Task>
+  void
+  share(std::size_t size, const Task& task)
+  {
+    const std::size_t n = workers_.size();
+    std::vector<std::future<void>> others;
+    for (std::size_t w = 1; w < n; ++w)
+      others.push_back(std::async(std::launch::async, [&, w] {
+        task(*workers_[w], w * size / n, (w + 1) * size / n);
+      }));
+    task(*workers_[0], 0, size / n);
+    for (auto& other : others)
+      other.get();
+  }
+
+  /** \brief The names of all devices. */
+  const std::string&
+  name() const
+  {
+    return name_;
+  }
+
+private:
+  std::vector<std::unique_ptr<Worker>> workers_;
+  std::string name_;
+};
+
+} // namespace kss
+} // namespace pcl
