@@ -1,0 +1,79 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+/** The numbers of points, and how everything is timed at them. */
+namespace benchmarks {
+
+/** \brief CPU time of the whole process over all threads, and wall time beside it; one
+ * registration per repetition.
+ * \param[in] repetitions of which the median counts
+ */
+inline void
+timed(benchmark::internal::Benchmark* benchmark, int repetitions)
+{
+  benchmark->MeasureProcessCPUTime()
+      ->Unit(benchmark::kMillisecond)
+      ->Iterations(1)
+      ->Repetitions(repetitions);
+}
+
+/** \brief The sizes at which a few repetitions are quick. */
+inline void
+smallSizes(benchmark::internal::Benchmark* benchmark)
+{
+  timed(benchmark, 5);
+  benchmark->Arg(5000)->Arg(10000)->Arg(50000);
+}
+
+/** \brief The sizes at which one measurement is much work, and exact enough. */
+inline void
+largeSizes(benchmark::internal::Benchmark* benchmark)
+{
+  timed(benchmark, 1);
+  benchmark->Arg(100000)->Arg(500000)->Arg(1000000);
+}
+
+/** \brief All sizes, for what is quick at all of them. */
+inline void
+allSizesOften(benchmark::internal::Benchmark* benchmark)
+{
+  timed(benchmark, 5);
+  for (const int size : {5000, 10000, 50000, 100000, 500000, 1000000})
+    benchmark->Arg(size);
+}
+
+inline void
+someSizes(benchmark::internal::Benchmark* benchmark)
+{
+  timed(benchmark, 3);
+  benchmark->Arg(10000)->Arg(100000)->Arg(1000000);
+}
+
+inline void
+twoSizes(benchmark::internal::Benchmark* benchmark)
+{
+  timed(benchmark, 3);
+  benchmark->Arg(10000)->Arg(1000000);
+}
+
+/** \brief For what does not vary: memory. */
+inline void
+twoSizesOnce(benchmark::internal::Benchmark* benchmark)
+{
+  timed(benchmark, 1);
+  benchmark->Arg(10000)->Arg(1000000);
+}
+
+inline void
+tenThousand(benchmark::internal::Benchmark* benchmark)
+{
+  timed(benchmark, 3);
+  benchmark->Arg(10000);
+}
+
+} // namespace benchmarks
