@@ -122,18 +122,15 @@ Alignment::align()
                             settings_.threads);
   const Minimum& initial = minima.front();
   const double threshold = settings_.additional_process_threshold;
-  const auto best = [&](const std::vector<Eigen::Matrix4d>& poses) {
-    return selection.best(poses, [this](double done) { report("refinement", done); });
-  };
   std::vector<JudgedPose> judged;
   if (threshold > 0.0)
-    judged = best({initial.pose});
+    judged = selection.best({initial.pose}, [](double) {});
   if (judged.empty() ||
       search_.energyAt(judged.front().pose, initial.weights) > threshold) {
     std::vector<Eigen::Matrix4d> poses;
     for (const Minimum& minimum : minima)
       poses.push_back(minimum.pose);
-    judged = best(poses);
+    judged = selection.best(poses, [this](double done) { report("refinement", done); });
   }
   Alternatives alternatives;
   for (const JudgedPose& candidate : judged)

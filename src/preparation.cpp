@@ -9,6 +9,7 @@
 #include "take.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace pcl {
 namespace kss {
@@ -16,6 +17,9 @@ namespace {
 
 /** Points of a cloud that take part in refinement and judgement at most. */
 constexpr std::size_t most_points = 12000;
+
+/** Points that a shape can be told by. */
+constexpr std::size_t fewest_points = 64;
 
 /** Means of a noisy cloud. */
 constexpr unsigned int most_means = 2500;
@@ -72,12 +76,16 @@ simplified(const PreparedCloud& source,
     };
     return {simple(source), simple(target)};
   }
-  const std::size_t k =
-      std::min(evenSampleSize(source.order, source.surface.neighbourhoods),
-               evenSampleSize(target.order, target.surface.neighbourhoods));
+  // a cloud of very few points must not take the other's shape from it
+  const auto even = [](const PreparedCloud& cloud) {
+    return std::max(evenSampleSize(cloud.order, cloud.surface.neighbourhoods),
+                    fewest_points);
+  };
+  const std::size_t k = std::min(even(source), even(target));
   const auto first = [k](const PreparedCloud& cloud) {
+    const std::vector<int>& order = cloud.order.indices;
     return take(cloud.surface.points,
-                {cloud.order.indices.begin(), cloud.order.indices.begin() + k});
+                {order.begin(), order.begin() + std::min(k, order.size())});
   };
   return {first(source), first(target)};
 }

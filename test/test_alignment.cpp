@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <map>
 #include <stdexcept>
 
@@ -210,8 +211,9 @@ TEST(Alignment, ShowsTheFlipOfAFlatCloud)
 TEST(Alignment, RefinesMoreThanTheFirstOnlyWhereItIsNotGoodEnough)
 {
   Settings settings = quick();
-  const Points source = sampled(creature(), 3000, 33);
-  const Points target = sampled(creature(), 3000, 34);
+  // a flat cloud fits on either side
+  const Points source = sampled(pennant(), 3000, 33);
+  const Points target = sampled(pennant(), 3000, 34);
   EXPECT_GT(aligned(settings, source, target).size(), 1u);
   settings.additional_process_threshold = 10.0; // nothing is that far apart
   EXPECT_EQ(1u, aligned(settings, source, target).size());
@@ -262,6 +264,73 @@ TEST(Alignment, DependsNeitherOnTheDeviceNorOnThreads)
                          on_host.front().transformation, source),
             1e-4);
   EXPECT_NEAR(on_host.front().overlap.score, on_device.front().overlap.score, 1e-3);
+}
+
+TEST(Alignment, KeepsNothingThatShows)
+{
+  const Points a = sampled(creature(), 2000, 60), b = sampled(creature(), 2000, 61);
+  const Points c = transformed(sampled(creature(), 2000, 62), randomRigid(63));
+  Points d = c; // as many points, but one is elsewhere
+  d.col(7) = 0.5f * (d.col(8) + d.col(9));
+  Settings settings = quick();
+  settings.estimate_scale = false;
+  Alignment alignment(settings);
+  const auto expectAsFresh = [&](const Points& source, const Points& target,
+                                 double known_scale) {
+    alignment.setClouds(local(source), local(target), known_scale);
+    const auto found = alignment.align();
+    const auto expected = aligned(settings, source, target, known_scale);
+    ASSERT_EQ(expected.size(), found.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_EQ(expected[i].transformation, found[i].transformation);
+      EXPECT_EQ(expected[i].overlap.score, found[i].overlap.score);
+    }
+  };
+  expectAsFresh(a, b, 1.0);
+  expectAsFresh(a, b, 1.0);
+  expectAsFresh(a, b, 1.1);
+  expectAsFresh(c, b, 1.0);
+  expectAsFresh(d, b, 1.0);
+  expectAsFresh(b, d, 1.0);
+  expectAsFresh(b, c, 1.0);
+  // noise asks for other steps, and leaves no trace
+  expectAsFresh(noisy(a, 0.15, 64), noisy(b, 0.15, 65), 1.0);
+  expectAsFresh(noisy(a, 0.15, 64), b, 1.0);
+  expectAsFresh(a, b, 1.0);
+}
+
+TEST(Settings, AskForTheSameWorkUnlessOneOfThemDiffers)
+{
+  const Settings settings;
+  EXPECT_TRUE(sameWork(settings, settings));
+  const std::function<void(Settings&)> others[] = {
+      [](Settings& s) { s.mode = Mode::PARTIAL_PARTIAL; },
+      [](Settings& s) { s.sample_points = 77; },
+      [](Settings& s) { s.density = Density::PAPER; },
+      [](Settings& s) { s.clean = false; },
+      [](Settings& s) { s.rotation_set = RotationSet::EULER; },
+      [](Settings& s) { s.angle_step = 0.77; },
+      [](Settings& s) { s.even_rotations = 77; },
+      [](Settings& s) { s.center_set = CenterSet::PAPER; },
+      [](Settings& s) { s.energy = Energy::HAUSDORFF; },
+      [](Settings& s) { s.search = Search::BRUTE_FORCE; },
+      [](Settings& s) { s.search_points = 77; },
+      [](Settings& s) { s.local_minimum_kernel = 7; },
+      [](Settings& s) { s.additional_process_threshold = 0.77; },
+      [](Settings& s) { s.estimate_scale = false; },
+      [](Settings& s) { s.smallest_scale = 0.77; },
+      [](Settings& s) { s.largest_scale = 1.77; },
+      [](Settings& s) { s.device = "host"; },
+      [](Settings& s) { s.threads = 7; }};
+  for (const auto& change : others) {
+    Settings other;
+    change(other);
+    EXPECT_FALSE(sameWork(settings, other)) << &change - others;
+  }
+  Settings same;
+  same.icp_points = 77;
+  same.progress = [](const std::string&, double) {};
+  EXPECT_TRUE(sameWork(settings, same));
 }
 
 TEST(Alignment, SaysWhichCloudDeterminesNoPose)

@@ -75,6 +75,12 @@ expectGrid(const CandidateCenters& found)
             Eigen::Vector3d(i - (nx - 1) / 2.0, j - (ny - 1) / 2.0, k - (nz - 1) / 2.0);
         ASSERT_LT((found.centers[index] - expected).norm(), 1e-9);
       }
+  EXPECT_TRUE((found.axes.transpose() * found.axes).isIdentity(1e-9));
+  for (int axis = 0; axis < 3; ++axis)
+    if (found.steps[axis] > 1) {
+      const Eigen::Vector3d step = found.spacing[axis] * found.axes.col(axis);
+      EXPECT_LT((steps.col(axis) - step).norm(), 1e-9) << axis;
+    }
 }
 
 /** What (e123) says about the grid of any cloud. */

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <vector>
 
 namespace {
 
@@ -121,12 +122,24 @@ TEST(EulerRotations, HaveNeighboursAllAround)
         }
 }
 
+TEST(EulerRotations, KnowTheNeighboursOfEachKernel)
+{
+  // as a set that has not been asked before
+  const EulerRotations candidates(paper_step);
+  for (const unsigned int kernel : {3u, 5u, 3u, 3u, 7u, 5u})
+    for (const std::size_t i : {0u, 700u, 1727u})
+      EXPECT_EQ(EulerRotations(paper_step).neighbours(i, kernel),
+                candidates.neighbours(i, kernel));
+}
+
 TEST(EulerRotations, TakeEvenKernelsAsTheNextOddOne)
 {
   const EulerRotations candidates(paper_step);
   for (const std::size_t i : {0u, 700u, 1727u})
-    for (const unsigned int kernel : {2u, 4u, 6u})
-      EXPECT_EQ(candidates.neighbours(i, kernel + 1), candidates.neighbours(i, kernel));
+    for (const unsigned int kernel : {2u, 4u, 6u}) {
+      const std::vector<std::size_t> odd = candidates.neighbours(i, kernel + 1);
+      EXPECT_EQ(odd, candidates.neighbours(i, kernel));
+    }
 }
 
 TEST(EulerRotations, HaveEachNeighbourOnceWhereTheKernelIsWiderThanTheCircle)

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <random>
 
@@ -308,6 +309,58 @@ TEST(Candidates, AreMinimaWhereNoNeighbourIsLower)
     EXPECT_GT(expected.size(), 1u);
     EXPECT_EQ(expected, sorted(candidates.localMinima(energies, kernel, 0.0)));
   }
+}
+
+TEST(Candidates, AreMinimaAmongSomeAsAmongAll)
+{
+  const auto rotations = std::make_shared<EvenRotations>(60);
+  const Candidates candidates(rotations, three_scales, gridOf(3, 2, 2), Side::SOURCE);
+  const auto energies = randomEnergies(candidates.size(), 7);
+  const auto all = candidates.localMinima(energies, 3, distinct_angle);
+  std::vector<std::size_t> some, every;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    every.push_back(i);
+    if (energies[i] < 0.3f)
+      some.push_back(i);
+  }
+  EXPECT_EQ(all, candidates.localMinima(energies, every, 3, distinct_angle));
+  // those that were not asked for are missing, and are neighbours all the same
+  std::vector<std::size_t> expected;
+  for (const std::size_t i : all)
+    if (energies[i] < 0.3f)
+      expected.push_back(i);
+  EXPECT_GT(expected.size(), 1u);
+  EXPECT_EQ(expected, candidates.localMinima(energies, some, 3, distinct_angle));
+  EXPECT_EQ((std::vector<std::size_t>{all[1]}),
+            candidates.localMinima(energies, {all[1]}, 3, distinct_angle));
+  // unknown energies are no lower ones
+  std::vector<float> known(energies.size(), std::numeric_limits<float>::infinity());
+  for (const std::size_t i : some)
+    known[i] = energies[i];
+  EXPECT_EQ(expected, candidates.localMinima(known, some, 3, distinct_angle));
+}
+
+TEST(Candidates, TellWhatTheyAreMadeOf)
+{
+  const auto rotations = std::make_shared<EvenRotations>(7);
+  const CandidateCenters centers = gridOf(3, 4, 2);
+  const Candidates candidates(rotations, three_scales, centers, Side::SOURCE);
+  EXPECT_EQ(rotations.get(), &candidates.rotations());
+  EXPECT_EQ(three_scales, candidates.scales());
+  EXPECT_EQ(centers.centers, candidates.centers().centers);
+  EXPECT_EQ(Side::SOURCE, candidates.side());
+  for (std::size_t c = 0; c < centers.centers.size(); ++c) {
+    std::vector<std::size_t> expected;
+    for (std::size_t other = 0; other < centers.centers.size(); ++other)
+      if ((centers.centers[c] - centers.centers[other]).cwiseAbs().maxCoeff() < 1.5)
+        expected.push_back(other);
+    EXPECT_EQ(expected, sorted(candidates.centersAround(c)));
+  }
+  const std::vector<std::size_t> some{5, 0, 77, 77};
+  const auto placements = candidates.placements(some);
+  ASSERT_EQ(some.size(), placements.size());
+  for (std::size_t i = 0; i < some.size(); ++i)
+    EXPECT_EQ(candidates.placements(some[i], 1).front(), placements[i]);
 }
 
 TEST(Candidates, AreToldApartByCenterAndScaleToo)

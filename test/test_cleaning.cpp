@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
@@ -60,7 +61,7 @@ TEST(StrayPoints, AreDropped)
         const Points clean = sampled(mesh, 2000, seed);
         const Points mixed = withOutliers(clean, share, 10 + seed);
         const Points dense = sampled(mesh, 20000, 20 + seed);
-        const Points rest = withoutStrayPoints(mixed, 1);
+        const Points rest = withoutStrayPoints(mixed, 1).points;
         // nothing new
         EXPECT_EQ(rest.cols(), left(rest, mixed));
         // the surface stays
@@ -85,7 +86,7 @@ TEST(StrayPoints, AreNotThoseOfASurface)
   for (const Mesh& mesh : {ball, lump(), creature(), cross(), pennant()})
     for (const int number : {500, 5000}) {
       const Points cloud = sampled(mesh, number, 3);
-      EXPECT_GT(withoutStrayPoints(cloud, 1).cols(), 0.97 * number) << number;
+      EXPECT_GT(withoutStrayPoints(cloud, 1).points.cols(), 0.97 * number) << number;
     }
 }
 
@@ -102,7 +103,7 @@ TEST(StrayPoints, AreNotSparseParts)
       uneven.conservativeResize(3, uneven.cols() + 1);
       uneven.rightCols<1>() = even.col(i);
     }
-  const Points rest = withoutStrayPoints(uneven, 1);
+  const Points rest = withoutStrayPoints(uneven, 1).points;
   EXPECT_GT(rest.cols(), 0.95 * uneven.cols());
   // where it is sparsest, too
   const auto behind = [](const Points& cloud) {
@@ -116,22 +117,53 @@ TEST(StrayPoints, StayWhereNothingElseIs)
 {
   for (const int number : {1, 2, 50, 99}) {
     const Points few = scattered(number, 6);
-    EXPECT_EQ(few, withoutStrayPoints(few, 1));
+    EXPECT_EQ(few, withoutStrayPoints(few, 1).points);
   }
   const Points equal = Points::Constant(3, 300, 1.0f);
-  EXPECT_EQ(equal, withoutStrayPoints(equal, 1));
+  EXPECT_EQ(equal, withoutStrayPoints(equal, 1).points);
   // points in space are the cloud, not astray from it
-  EXPECT_GT(withoutStrayPoints(scattered(2000, 7), 1).cols(), 1500);
+  EXPECT_GT(withoutStrayPoints(scattered(2000, 7), 1).points.cols(), 1500);
 }
 
 TEST(StrayPoints, AreTheSameWithAnyNumberOfThreadsAndInAnyUnit)
 {
   const Points mixed = withOutliers(sampled(lump(), 2000, 8), 0.2, 9);
-  const Points rest = withoutStrayPoints(mixed, 1);
-  EXPECT_EQ(rest, withoutStrayPoints(mixed, 2));
+  const Points rest = withoutStrayPoints(mixed, 1).points;
+  EXPECT_EQ(rest, withoutStrayPoints(mixed, 2).points);
   // powers of two round nothing
   for (const float unit : {1024.0f, 1.0f / 1024.0f})
-    EXPECT_EQ(Points(unit * rest), withoutStrayPoints(unit * mixed, 1));
+    EXPECT_EQ(Points(unit * rest), withoutStrayPoints(unit * mixed, 1).points);
+}
+
+TEST(StrayPoints, LeaveTheirNeighboursNewOnes)
+{
+  // hardly any stray point, some, many; too few points to clean, and to have neighbours
+  const Points clean = sampled(lump(), 2000, 30);
+  for (const Points& cloud :
+       {clean, withOutliers(clean, 0.001, 31), withOutliers(clean, 0.1, 32),
+        withOutliers(clean, 0.4, 33), scattered(50, 34), scattered(5, 35),
+        scattered(1, 36)}) {
+    const Surface rest = withoutStrayPoints(cloud, 1);
+    const Eigen::MatrixXi& indices = rest.neighbourhoods.indices;
+    const Eigen::MatrixXf& distances = rest.neighbourhoods.distances;
+    ASSERT_EQ(rest.points.cols(), indices.cols());
+    ASSERT_GE(indices.rows(),
+              std::min<Eigen::Index>(known_neighbours, rest.points.cols() - 1));
+    for (Eigen::Index i = 0; i < rest.points.cols(); ++i) {
+      Eigen::RowVectorXf away =
+          (rest.points.colwise() - rest.points.col(i)).colwise().norm();
+      std::set<int> others;
+      for (Eigen::Index n = 0; n < indices.rows(); ++n) {
+        ASSERT_NE(i, indices(n, i));
+        ASSERT_TRUE(others.insert(indices(n, i)).second);
+        ASSERT_NEAR(away[indices(n, i)], distances(n, i), 1e-6f);
+      }
+      away[i] = 0.0f;
+      std::sort(away.data(), away.data() + away.size());
+      for (Eigen::Index n = 0; n < indices.rows(); ++n)
+        ASSERT_NEAR(away[n + 1], distances(n, i), 1e-6f) << i;
+    }
+  }
 }
 
 TEST(Noise, IsToldFromSurfaces)

@@ -406,15 +406,14 @@ TEST(Device, IsTheOneAskedFor)
   Settings settings;
   settings.device = "host";
   EXPECT_EQ("host", makeEvaluator(settings)->deviceName());
-  settings.search = Search::BRUTE_FORCE;
-  EXPECT_EQ("host", makeEvaluator(settings)->deviceName());
-  settings.search = Search::LOOK_UP;
+  EXPECT_EQ("host", makeLookUpEvaluator(settings)->deviceName());
   const auto names = openCLDeviceNames();
   if (names.empty())
     GTEST_SKIP() << "There is no OpenCL device on this machine.";
   for (const std::string& name : names) {
     settings.device = name;
     EXPECT_EQ(name, makeEvaluator(settings)->deviceName());
+    EXPECT_EQ(name, makeLookUpEvaluator(settings)->deviceName());
     // part of a name will do
     settings.device = name.substr(1, 5);
     EXPECT_NO_THROW(makeEvaluator(settings));

@@ -14,7 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
+#include <vector>
 
 namespace {
 
@@ -54,6 +56,124 @@ TEST(Neighbourhoods, AreTheNearestOthers)
       EXPECT_NEAR(others[found.indices(n, i)], found.distances(n, i), 1e-5f);
     }
   }
+}
+
+/** The neighbourhoods are those of brute force, distance by distance; which points, where
+ * several are equally far, is free. */
+void
+expectNearest(const Points& points, int neighbours)
+{
+  const Neighbourhoods found = neighbourhoodsOf(points, neighbours, 1);
+  const Eigen::Index k = std::min<Eigen::Index>(neighbours, points.cols() - 1);
+  ASSERT_EQ(k, found.indices.rows());
+  ASSERT_EQ(k, found.distances.rows());
+  ASSERT_EQ(points.cols(), found.indices.cols());
+  std::size_t wrong = 0;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const auto distance = [&](Eigen::Index j) {
+      return (points.col(j) - points.col(i)).norm();
+    };
+    std::vector<float> expected;
+    for (Eigen::Index j = 0; j < points.cols(); ++j)
+      if (j != i)
+        expected.push_back(distance(j));
+    std::partial_sort(expected.begin(), expected.begin() + k, expected.end());
+    std::set<int> others{static_cast<int>(i)};
+    for (Eigen::Index n = 0; n < k; ++n) {
+      const int other = found.indices(n, i);
+      ASSERT_TRUE(other >= 0 && other < points.cols());
+      ASSERT_TRUE(others.insert(other).second) << "twice, or the point itself";
+      ASSERT_FLOAT_EQ(distance(other), found.distances(n, i));
+      // rounding aside
+      wrong += std::abs(found.distances(n, i) - expected[n]) > 1e-6f * expected[n];
+    }
+  }
+  EXPECT_EQ(0u, wrong) << "of " << k * points.cols();
+}
+
+Points
+withCopies(Points points, Eigen::Index copies)
+{
+  points.leftCols(copies) = points.rightCols<1>().replicate(1, copies);
+  return points;
+}
+
+TEST(Neighbourhoods, AreThoseOfBruteForceWhateverTheShape)
+{
+  Points row(3, 1000), thick = scattered(1500, 30);
+  for (Eigen::Index i = 0; i < row.cols(); ++i)
+    row.col(i) = Eigen::Vector3f(1.0f, 2.0f, -1.0f) * static_cast<float>(i);
+  thick.row(0) *= 1000.0f;
+  for (const Points& points :
+       {sampled(creature(), 1500, 31), sampled(pennant(), 1500, 32), row, square(35),
+        scattered(1500, 33), thick, Points(Points::Constant(3, 150, 2.5f)),
+        Points((scattered(1500, 34).array() * 8.0f).exp()),
+        Points(sampled(creature(), 1500, 35).array() + 1000.0f)})
+    for (const int neighbours : {1, 6, 12, 16, 40})
+      expectNearest(points, neighbours);
+}
+
+TEST(Neighbourhoods, AreThoseOfBruteForceAmongCopies)
+{
+  for (const Eigen::Index copies : {5, 40, 96, 97, 98, 200, 400})
+    for (const int neighbours : {1, 12, 16})
+      expectNearest(withCopies(sampled(creature(), 1000, 36), copies), neighbours);
+}
+
+TEST(Neighbourhoods, AreThoseOfBruteForceInTinyClouds)
+{
+  for (Eigen::Index number = 1; number < 30; ++number)
+    for (const int neighbours : {1, 12, 16})
+      expectNearest(scattered(number, 37), neighbours);
+  expectNearest(withCopies(scattered(5, 38), 3), 12);
+}
+
+TEST(Neighbourhoods, AreThoseOfBruteForceNearStrayPoints)
+{
+  for (const float distance : {1e1f, 1e2f, 1e3f, 1e4f, 1e5f, 1e6f})
+    for (const Eigen::Vector3f& direction :
+         {Eigen::Vector3f(1, 1, 1), Eigen::Vector3f(-1, -1, -1),
+          Eigen::Vector3f(-1, 0, 0), Eigen::Vector3f(0, 1, -1)}) {
+      SCOPED_TRACE(::testing::Message() << distance << " along " << direction.transpose());
+      Points points = sampled(creature(), 1500, 39);
+      points.col(17) = distance * direction;
+      expectNearest(points, 12);
+      // two clusters, far apart
+      points.rightCols(400).colwise() += distance * direction;
+      expectNearest(points, 12);
+    }
+}
+
+TEST(Neighbourhoods, AreThoseOfBruteForceWhereAStrayPointMakesCoordinatesCoarse)
+{
+  // from there, coordinates are rounded to a tenth of a cell
+  Points points = sampled(creature(), 8000, 5);
+  points.col(17).setConstant(-1.2e5f);
+  expectNearest(points, 12);
+}
+
+TEST(Neighbourhoods, CanBeRestrictedToSomePoints)
+{
+  const Points points = sampled(creature(), 800, 40);
+  const Neighbourhoods all = neighbourhoodsOf(points, 16, 1);
+  std::vector<int> most, half;
+  for (int i = 0; i < points.cols(); ++i) {
+    if (i % 50 != 7)
+      most.push_back(i);
+    if (i % 2 == 0)
+      half.push_back(i);
+  }
+  const auto restricted = restrictedTo(all, most, 12);
+  ASSERT_TRUE(restricted.has_value());
+  Points rest(3, most.size());
+  for (std::size_t i = 0; i < most.size(); ++i)
+    rest.col(i) = points.col(most[i]);
+  const Neighbourhoods expected = neighbourhoodsOf(rest, 12, 1);
+  EXPECT_EQ(expected.indices, restricted->indices);
+  EXPECT_EQ(expected.distances, restricted->distances);
+  // where too many are gone, they are not known
+  EXPECT_FALSE(restrictedTo(all, half, 12).has_value());
+  EXPECT_TRUE(restrictedTo(all, {}, 12).has_value());
 }
 
 TEST(Neighbourhoods, DoNotDependOnThreads)
@@ -254,6 +374,60 @@ TEST(NearestPoints, AreThereForAnyCloud)
     EXPECT_EQ(0.0, missesOf(points, 0.1f).share);
   for (const int number : {2, 3, 9})
     EXPECT_LT(missesOf(scattered(number, 20), 0.1f).share, 0.02);
+}
+
+TEST(NearestPoints, KnowHowNearTheSecondIs)
+{
+  for (const Points& points : {sampled(creature(), 2000, 23), sampled(lump(), 1000, 24),
+                               scattered(2000, 25), sampled(pennant(), 1000, 26)}) {
+    const NearestPoints search(points, 1);
+    std::mt19937 random(27);
+    constexpr int positions = 1000;
+    int too_far = 0;
+    for (int i = 0; i < positions; ++i) {
+      const Eigen::Vector3f position =
+          points.col(i) + randomVector(random, 0.02).cast<float>();
+      float squared, second, alone;
+      const int found = search.nearest(position, squared, second);
+      EXPECT_EQ(found, search.nearest(position, alone));
+      EXPECT_EQ(squared, alone);
+      Eigen::RowVectorXf others =
+          (points.colwise() - position).colwise().squaredNorm();
+      EXPECT_FLOAT_EQ(others[found], squared);
+      others[found] = std::numeric_limits<float>::max();
+      // that of a point, and of another one
+      EXPECT_GE(second, others.minCoeff() * (1.0f - 1e-5f));
+      EXPECT_LE((others.array() - second).abs().minCoeff(), 1e-5f * second);
+      too_far += second > others.minCoeff() * (1.0f + 1e-5f);
+    }
+    EXPECT_LT(too_far, 0.02 * positions);
+  }
+  float squared, second;
+  const NearestPoints one(Points::Constant(3, 1, 0.5f), 1);
+  EXPECT_EQ(0, one.nearest({0.5f, 0.5f, 1.5f}, squared, second));
+  EXPECT_EQ(1.0f, squared);
+  EXPECT_EQ(std::numeric_limits<float>::infinity(), second);
+  const NearestPoints copies(Points::Constant(3, 20, 0.5f), 1);
+  copies.nearest({0.5f, 0.5f, 1.5f}, squared, second);
+  EXPECT_EQ(1.0f, squared);
+  EXPECT_EQ(1.0f, second);
+}
+
+TEST(NearestPoints, AreTheSameForPointsThatKnowTheirNeighbours)
+{
+  const Points points = sampled(creature(), 1000, 28);
+  const NearestPoints reference(points, 1);
+  for (const int neighbours : {12, 16, 30}) {
+    const NearestPoints search(
+        Surface{points, neighbourhoodsOf(points, neighbours, 1)});
+    EXPECT_EQ(reference.spacing(), search.spacing());
+    for (int i = 0; i < 500; ++i) {
+      const Eigen::Vector3f position = points.col(i) + Eigen::Vector3f(0.02f, 0, -0.03f);
+      float expected, found;
+      EXPECT_EQ(reference.nearest(position, expected), search.nearest(position, found));
+      EXPECT_EQ(expected, found);
+    }
+  }
 }
 
 TEST(NearestPoints, KnowTheSpacing)

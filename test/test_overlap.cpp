@@ -97,6 +97,22 @@ TEST(Overlap, TellsRightFromWrong)
   EXPECT_EQ(0.0, none.score);
 }
 
+TEST(Overlap, IsToldBySomeOfThePointsAsByAll)
+{
+  const Points a = part(sampled(lump(), 6000, 17), {1, 0, 0}, 0.6);
+  const NearestPoints source(a, 1), target(sampled(lump(), 6000, 18), 1);
+  const Overlap all = overlapAt(source, target, identity);
+  for (const Eigen::Index most : {500, 1000, 3000}) {
+    const Overlap some = overlapAt(source, target, identity, most);
+    EXPECT_NEAR(all.source, some.source, 0.02) << most;
+    EXPECT_NEAR(all.target, some.target, 0.06) << most;
+    EXPECT_NEAR(all.score, some.score, 0.08) << most;
+  }
+  // all where there are no more
+  for (const Eigen::Index most : {6000, 100000})
+    EXPECT_EQ(all.score, overlapAt(source, target, identity, most).score);
+}
+
 TEST(Overlap, CannotBeBoughtWithScale)
 {
   // a source shrunk to a speck lies on the target, but does not cover it

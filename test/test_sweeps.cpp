@@ -123,6 +123,9 @@ TEST_F(Sweeps, ForAPartTakeEitherCloudForIt)
   EXPECT_EQ(scalesOf(sweeps[0]).size(), scalesOf(sweeps[1]).size());
   for (const Sweep& sweep : sweeps)
     EXPECT_GT(farthestShift(sweep), 0.5);
+  // the cloud that the part is looked for in is given centres
+  EXPECT_EQ(Side::TARGET, sweeps[0].candidates.side());
+  EXPECT_EQ(Side::SOURCE, sweeps[1].candidates.side());
   // a known scale is the only one
   for (const Sweep& sweep : of(few(Mode::PARTIAL_GLOBAL), one))
     EXPECT_EQ((std::set<long>{1000}), scalesOf(sweep));
@@ -132,32 +135,64 @@ TEST_F(Sweeps, ForTwoPartsLookFarther)
 {
   const auto part = of(few(Mode::PARTIAL_GLOBAL), one);
   const auto two = of(few(Mode::PARTIAL_PARTIAL), one);
-  ASSERT_EQ(1u, two.size());
-  ASSERT_EQ(1u, two[0].energies.size());
-  EXPECT_EQ(two[0].energies[0].source_to_target, two[0].energies[0].target_to_source);
-  EXPECT_GT(farthestShift(two[0]), 1.2 * farthestShift(part[1]));
-  // scales both ways, where there are more than one
-  const auto scales = scalesOf(of(few(Mode::PARTIAL_PARTIAL), wide).front());
-  EXPECT_LT(*scales.begin(), 600);
-  EXPECT_GT(*scales.rbegin(), 1700);
-  EXPECT_EQ(1u, scales.count(1000));
+  ASSERT_EQ(2u, part.size());
+  ASSERT_EQ(2u, two.size());
+  for (std::size_t i = 0; i < 2; ++i) {
+    ASSERT_EQ(1u, two[i].energies.size());
+    const Weights& weights = two[i].energies.front();
+    EXPECT_EQ(weights.source_to_target, weights.target_to_source);
+    ASSERT_EQ(part[i].candidates.side(), two[i].candidates.side());
+    EXPECT_GT(farthestShift(two[i]), 1.2 * farthestShift(part[i]));
+  }
+  // scales both ways, where there are more than one: what is turned shrinks
+  const auto sweeps = of(few(Mode::PARTIAL_PARTIAL), wide);
+  ASSERT_EQ(2u, sweeps.size());
+  EXPECT_EQ(Side::TARGET, sweeps[0].candidates.side());
+  EXPECT_EQ(Side::SOURCE, sweeps[1].candidates.side());
+  const auto shrunk = scalesOf(sweeps[0]), grown = scalesOf(sweeps[1]);
+  EXPECT_LT(*shrunk.begin(), 600);
+  EXPECT_GT(*grown.rbegin(), 1700);
+  // and one step more, where the other is a part, too
+  EXPECT_EQ(1250, *shrunk.rbegin());
+  EXPECT_EQ(800, *grown.begin());
+  for (const auto& scales : {shrunk, grown})
+    EXPECT_EQ(1u, scales.count(1000));
+}
+
+TEST_F(Sweeps, LookAsFarAsTheLargerCloudReaches)
+{
+  // with a known scale the pre-shapes differ in size
+  const auto sweepsFor = [&](float size) {
+    return sweepsOf(few(Mode::PARTIAL_PARTIAL), size * source_, target_, one);
+  };
+  const auto same = sweepsFor(1.0f), small = sweepsFor(0.5f), large = sweepsFor(2.0f);
+  // centres on the target reach as far as a larger source asks, and the other way round
+  EXPECT_NEAR(farthestShift(same[0]), farthestShift(small[0]), 0.05);
+  EXPECT_NEAR(2.0 * farthestShift(same[0]), farthestShift(large[0]), 0.05);
+  EXPECT_NEAR(farthestShift(same[1]), farthestShift(small[1]), 0.05);
+  EXPECT_NEAR(2.0 * farthestShift(same[1]), farthestShift(large[1]), 0.05);
 }
 
 TEST_F(Sweeps, WithoutAModeAskForAllEnergies)
 {
   for (const ScaleRange& scales : {one, wide}) {
     const auto sweeps = of(few(Mode::AUTOMATIC), scales);
-    ASSERT_EQ(1u, sweeps.size());
-    int both = 0, from_source = 0, from_target = 0;
-    for (const Weights& weights : sweeps[0].energies) {
-      both += weights.source_to_target == weights.target_to_source;
-      from_source += weights.source_to_target > weights.target_to_source;
-      from_target += weights.source_to_target < weights.target_to_source;
+    ASSERT_EQ(2u, sweeps.size());
+    for (const Sweep& sweep : sweeps) {
+      int both = 0, from_source = 0, from_target = 0;
+      for (const Weights& weights : sweep.energies) {
+        both += weights.source_to_target == weights.target_to_source;
+        from_source += weights.source_to_target > weights.target_to_source;
+        from_target += weights.source_to_target < weights.target_to_source;
+      }
+      // the cloud that an energy is directed to is the one that is given centres
+      const bool on_target = sweep.candidates.side() == Side::TARGET;
+      EXPECT_EQ(&sweep == &sweeps[0], on_target);
+      EXPECT_EQ(1, both);
+      EXPECT_EQ(on_target ? 1 : 0, from_source);
+      EXPECT_EQ(on_target ? 0 : 1, from_target);
+      EXPECT_GT(farthestShift(sweep), 0.5);
     }
-    EXPECT_EQ(1, both);
-    EXPECT_EQ(1, from_source);
-    EXPECT_EQ(1, from_target);
-    EXPECT_GT(farthestShift(sweeps[0]), 0.5);
   }
 }
 
@@ -193,6 +228,9 @@ TEST_F(Sweeps, AreThePapersIfAskedFor)
   EXPECT_EQ(0.0f, sweeps[0].energies.front().target_to_source);
   EXPECT_EQ(0.0f, sweeps[1].energies.front().source_to_target);
   EXPECT_EQ(1.0f, sweeps[1].energies.front().target_to_source);
+  // and it is the part that is given centres
+  EXPECT_EQ(Side::SOURCE, sweeps[0].candidates.side());
+  EXPECT_EQ(Side::TARGET, sweeps[1].candidates.side());
 }
 
 TEST_F(Sweeps, HoldACandidateNearTheTruth)

@@ -1,0 +1,105 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Candidates split over all devices of a platform. PoCL shows two where the environment
+ * says POCL_DEVICES="pthread basic", as ctest does.
+ */
+
+#include "shapes.h"
+
+#include <pcl/registration/kss/alignment.h>
+#include <pcl/registration/kss/opencl_devices.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace kss_test;
+using namespace pcl::kss;
+
+constexpr const char* platform = "Portable Computing Language";
+
+/** The devices of the platform; those of others aside. */
+std::vector<std::string>
+devices()
+{
+  std::vector<std::string> found;
+  for (const std::string& name : openCLDeviceNames())
+    if (name.find(platform) != std::string::npos)
+      found.push_back(name);
+  return found;
+}
+
+class SeveralDevices : public testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    if (devices().size() < 2)
+      GTEST_SKIP() << "One device: set POCL_DEVICES=\"pthread basic\"";
+  }
+};
+
+std::vector<Placement>
+somePlacements(std::size_t number)
+{
+  std::vector<Placement> placements;
+  for (std::size_t i = 0; i < number; ++i) {
+    Placement placement;
+    placement << Eigen::AngleAxisf(0.01f * i, Eigen::Vector3f(1, 2, i % 5).normalized())
+                     .toRotationMatrix(),
+        Eigen::Vector3f(0.001f * i, 0.1f, -0.1f);
+    placements.push_back(placement);
+  }
+  return placements;
+}
+
+TEST_F(SeveralDevices, ShareTheCandidatesWithoutATrace)
+{
+  const Points source = sampled(creature(), 300, 1),
+               target = sampled(creature(), 300, 2);
+  const std::string one = devices().front();
+  for (const auto& make : {&makeLookUpEvaluator, &makeEvaluator})
+    for (const std::size_t number : {0, 1, 2, 7, 501}) {
+      Settings settings;
+      settings.device = one;
+      const auto alone = make(settings);
+      settings.device = platform;
+      const auto together = make(settings);
+      EXPECT_NE(std::string::npos, together->deviceName().find(" + "));
+      alone->setClouds(source, target, 0.4f);
+      together->setClouds(source, target, 0.4f);
+      const auto placements = somePlacements(number);
+      const auto a = alone->evaluate(placements), b = together->evaluate(placements);
+      ASSERT_EQ(a.size(), b.size());
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(a[i].source_to_target, b[i].source_to_target);
+        EXPECT_EQ(a[i].mean_source_to_target, b[i].mean_source_to_target);
+        EXPECT_EQ(a[i].target_to_source, b[i].target_to_source);
+        EXPECT_EQ(a[i].mean_target_to_source, b[i].mean_target_to_source);
+      }
+    }
+}
+
+TEST_F(SeveralDevices, FindThePoseThatOneFinds)
+{
+  const LocalCloud source{sampled(creature(), 2000, 3), Eigen::Vector3d::Zero()};
+  const LocalCloud target{sampled(creature(), 2000, 4), Eigen::Vector3d::Zero()};
+  for (const Search search : {Search::SCREENED, Search::EXACT}) {
+    Settings settings;
+    settings.sample_points = 500;
+    settings.search = search;
+    if (search == Search::EXACT)
+      settings.mode = Mode::GLOBAL_GLOBAL;
+    std::vector<Eigen::Matrix4d> found;
+    for (const std::string& device : {devices().front(), std::string(platform)}) {
+      settings.device = device;
+      Alignment alignment(settings);
+      alignment.setClouds(source, target, 1.0);
+      found.push_back(alignment.align().front().transformation);
+    }
+    EXPECT_EQ(found[0], found[1]);
+  }
+}
+
+} // namespace
