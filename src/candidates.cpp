@@ -5,6 +5,7 @@
 #include <pcl/registration/kss/candidates.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace pcl {
@@ -117,16 +118,22 @@ Candidates::localMinima(const std::vector<float>& energies,
 std::vector<std::size_t>
 Candidates::distinct(const std::vector<std::size_t>& candidates, double angle) const
 {
+  if (angle <= 0.0)
+    return candidates;
+  // the cosine of half the angle between rotations is their quaternions' product
+  const double smallest_cosine = std::cos(0.5 * angle);
   std::vector<std::size_t> distinct;
+  std::vector<Parts> parts;
   for (const std::size_t i : candidates) {
     const Parts a = partsOf(i);
-    if (std::none_of(distinct.begin(), distinct.end(), [&](std::size_t j) {
-          const Parts b = partsOf(j);
+    if (std::none_of(parts.begin(), parts.end(), [&](const Parts& b) {
           return a.center == b.center && a.scale == b.scale &&
-                 rotations_->rotations()[a.rotation].angularDistance(
-                     rotations_->rotations()[b.rotation]) < angle;
-        }))
+                 std::abs(rotations_->rotations()[a.rotation].dot(
+                     rotations_->rotations()[b.rotation])) > smallest_cosine;
+        })) {
       distinct.push_back(i);
+      parts.push_back(a);
+    }
   }
   return distinct;
 }

@@ -53,25 +53,29 @@ DistanceField::DistanceField(const Points& points, float cell, float margin)
               z = index / size_.x() / size_.y();
     offer(index, centerOf(x, y, z), i);
   }
-  const std::ptrdiff_t strides[] = {1, size_.x(),
-                                    static_cast<std::ptrdiff_t>(size_.x()) * size_.y()};
-  for (int round = 0; round < 2; ++round)
-    for (int axis = 0; axis < 3; ++axis)
-      for (const int step : {1, -1})
-        for (int k = 0; k < size_.z(); ++k)
-          for (int j = 0; j < size_.y(); ++j)
-            for (int i = 0; i < size_.x(); ++i) {
-              const int x = step > 0 ? i : size_.x() - 1 - i;
-              const int y = step > 0 ? j : size_.y() - 1 - j;
-              const int z = step > 0 ? k : size_.z() - 1 - k;
-              const int before = (axis == 0 ? x : axis == 1 ? y : z) - step;
-              if (before < 0 || before >= size_[axis])
-                continue;
-              const std::size_t index = x + y * strides[1] + z * strides[2];
-              const int point = nearest_[index - step * strides[axis]];
-              if (point >= 0)
-                offer(index, centerOf(x, y, z), point);
-            }
+  const auto ask = [&](std::ptrdiff_t index, std::ptrdiff_t neighbour) {
+    const int point = nearest_[neighbour];
+    if (point < 0 || point == nearest_[index])
+      return;
+    const int x = static_cast<int>(index % size_.x());
+    const int y = static_cast<int>(index / size_.x() % size_.y());
+    const int z = static_cast<int>(index / size_.x() / size_.y());
+    offer(index, centerOf(x, y, z), point);
+  };
+  const auto cells = static_cast<std::ptrdiff_t>(nearest_.size());
+  for (int round = 0; round < 2; ++round) {
+    std::ptrdiff_t stride = 1; // from cell to cell along the axis
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::ptrdiff_t block = stride * size_[axis];
+      for (std::ptrdiff_t begin = 0; begin < cells; begin += block) {
+        for (std::ptrdiff_t i = begin + stride; i < begin + block; ++i)
+          ask(i, i - stride);
+        for (std::ptrdiff_t i = begin + block - stride - 1; i >= begin; --i)
+          ask(i, i + stride);
+      }
+      stride = block;
+    }
+  }
   for (float& distance : distances_)
     distance = std::sqrt(distance);
 }
