@@ -4,6 +4,7 @@
 
 #include <pcl/registration/kss/alignment.h>
 
+#include "clouds.h"
 #include "median.h"
 
 #include <algorithm>
@@ -64,8 +65,7 @@ void
 Alignment::prepare(PreparedCloud& prepared_cloud, const LocalCloud& cloud)
 {
   const LocalCloud& known = prepared_cloud.input;
-  if (known.points.cols() != cloud.points.cols() || known.points != cloud.points ||
-      known.origin != cloud.origin)
+  if (!areEqual(known.points, cloud.points) || known.origin != cloud.origin)
     prepared_cloud = prepared(cloud, settings_);
 }
 
@@ -95,8 +95,7 @@ Alignment::toPreShapeSpace(const PreparedCloud& source,
     const Neighbourhoods& neighbourhoods = cloud.surface.neighbourhoods;
     const Surface surface{(cloud.surface.points.colwise() - center) / size,
                           {neighbourhoods.indices, neighbourhoods.distances / size}};
-    if (shape && shape->all.points().cols() == surface.points.cols() &&
-        shape->all.points() == surface.points)
+    if (shape && areEqual(shape->all.points(), surface.points))
       shape->simplified = small;
     else
       shape.emplace(Shape{small, NearestPoints(surface)});

@@ -2,10 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
-#include <pcl/registration/kss/distances.h>
-
-#include "opencl_program.h"
-#include "several_devices.h"
+#include "distances_of_devices.h"
 
 #include <algorithm>
 
@@ -80,47 +77,12 @@ private:
   float limit_ = 0.0f;
 };
 
-class OpenCLEvaluator : public DistanceEvaluator {
-public:
-  OpenCLEvaluator(const std::string& device, unsigned int threads)
-  : devices_(device, threads)
-  {
-  }
-
-  void
-  setClouds(const Points& source, const Points& target, float limit) override
-  {
-    devices_.forEach(
-        [&](DeviceDistances& device) { device.setClouds(source, target, limit); });
-  }
-
-  std::vector<DirectedDistances>
-  evaluate(const std::vector<Placement>& placements) override
-  {
-    std::vector<DirectedDistances> distances(placements.size());
-    devices_.share(placements.size(), [&](DeviceDistances& device, std::size_t begin,
-                                          std::size_t end) {
-      device.evaluate(placements.data() + begin, end - begin, distances.data() + begin);
-    });
-    return distances;
-  }
-
-  std::string
-  deviceName() const override
-  {
-    return devices_.name();
-  }
-
-private:
-  SeveralDevices<DeviceDistances> devices_;
-};
-
 } // namespace
 
 std::unique_ptr<DistanceEvaluator>
 makeOpenCLEvaluator(const std::string& device, unsigned int threads)
 {
-  return std::make_unique<OpenCLEvaluator>(device, threads);
+  return std::make_unique<DistancesOfDevices<DeviceDistances>>(device, threads);
 }
 
 } // namespace kss

@@ -5,6 +5,7 @@
 #include <pcl/registration/kss/farthest_points.h>
 
 #include "cell_grid.h"
+#include "clouds.h"
 #include "wide_vectors.h"
 
 #include <algorithm>
@@ -61,8 +62,7 @@ inFarthestOrder(const Points& cloud, std::size_t most)
 {
   const auto size = static_cast<std::size_t>(cloud.cols());
   FarthestOrder order;
-  const float longest =
-      (cloud.rowwise().maxCoeff() - cloud.rowwise().minCoeff()).maxCoeff();
+  const float longest = longestEdge(cloud);
   const float edge = longest > 0.0f ? longest * std::sqrt(block_points / size) : 1.0f;
   const CellGrid grid(cloud, std::max(edge, longest / Cells::most));
   Eigen::MatrixX3f sorted(size, 3);

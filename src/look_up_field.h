@@ -6,6 +6,8 @@
 
 #include <pcl/registration/kss/distance_field.h>
 
+#include "clouds.h"
+
 #include <algorithm>
 
 namespace pcl {
@@ -17,8 +19,7 @@ namespace kss {
 inline DistanceField
 lookUpField(const Points& points, float limit)
 {
-  const float extent =
-      (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
+  const float extent = longestEdge(points);
   const float counts = std::min(limit, 0.25f * extent);
   // the limit is wider in the frame of a source that the pose shrinks
   return DistanceField(points, std::max(0.35f * counts, 0.02f * extent), 2.0f * counts);

@@ -3,11 +3,10 @@
  */
 
 #include <pcl/registration/kss/distance_field.h>
-#include <pcl/registration/kss/distances.h>
 
+#include "clouds.h"
+#include "distances_of_devices.h"
 #include "look_up_field.h"
-#include "opencl_program.h"
-#include "several_devices.h"
 
 #include <algorithm>
 #include <tuple>
@@ -30,24 +29,21 @@ struct Cloud {
 /** The look-ups of one device. */
 class DeviceLookUps {
 public:
-  explicit DeviceLookUps(std::shared_ptr<OpenCLProgram> program)
+  DeviceLookUps(std::shared_ptr<OpenCLProgram> program, unsigned int probes)
   : program_(std::move(program))
+  , probes_(probes)
   {
   }
 
   void
-  setClouds(const Points& source,
-            const Points& target,
-            float limit,
-            unsigned int probes)
+  setClouds(const Points& source, const Points& target, float limit)
   {
-    probes_ = probes;
     // what has not changed stays on the device
     const bool same_limit = limit == limit_;
     limit_ = limit;
     for (const auto& [cloud, points] :
          {std::tie(source_, source), std::tie(target_, target)})
-      if (!same_limit || cloud.all.cols() != points.cols() || cloud.all != points)
+      if (!same_limit || !areEqual(cloud.all, points))
         cloud = upload(points);
   }
 
@@ -92,49 +88,9 @@ private:
   }
 
   std::shared_ptr<OpenCLProgram> program_;
-  unsigned int probes_ = 0;
+  unsigned int probes_;
   Cloud source_, target_;
   float limit_ = 0.0f;
-};
-
-class OpenCLLookUpEvaluator : public DistanceEvaluator {
-public:
-  OpenCLLookUpEvaluator(const std::string& device,
-                        unsigned int threads,
-                        unsigned int probes)
-  : devices_(device, threads)
-  , probes_(probes)
-  {
-  }
-
-  void
-  setClouds(const Points& source, const Points& target, float limit) override
-  {
-    devices_.forEach([&](DeviceLookUps& device) {
-      device.setClouds(source, target, limit, probes_);
-    });
-  }
-
-  std::vector<DirectedDistances>
-  evaluate(const std::vector<Placement>& placements) override
-  {
-    std::vector<DirectedDistances> distances(placements.size());
-    devices_.share(placements.size(), [&](DeviceLookUps& device, std::size_t begin,
-                                          std::size_t end) {
-      device.evaluate(placements.data() + begin, end - begin, distances.data() + begin);
-    });
-    return distances;
-  }
-
-  std::string
-  deviceName() const override
-  {
-    return devices_.name();
-  }
-
-private:
-  SeveralDevices<DeviceLookUps> devices_;
-  unsigned int probes_;
 };
 
 } // namespace
@@ -144,7 +100,7 @@ makeOpenCLLookUpEvaluator(const std::string& device,
                           unsigned int threads,
                           unsigned int probes)
 {
-  return std::make_unique<OpenCLLookUpEvaluator>(device, threads, probes);
+  return std::make_unique<DistancesOfDevices<DeviceLookUps>>(device, threads, probes);
 }
 
 } // namespace kss

@@ -4,6 +4,8 @@
 
 #include <pcl/registration/kss/nearest_points.h>
 
+#include "clouds.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,8 +18,7 @@ namespace {
 float
 cellFor(const Points& points)
 {
-  const float extent =
-      (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
+  const float extent = longestEdge(points);
   return extent > 0.0f ? extent / 48.0f : 1.0f;
 }
 

@@ -5,6 +5,7 @@
 #include <pcl/registration/kss/neighbourhoods.h>
 
 #include "cell_grid.h"
+#include "clouds.h"
 #include "parallel.h"
 #include "wide_vectors.h"
 
@@ -28,8 +29,7 @@ constexpr int most_rings = 2;
 float
 edgeFor(const Points& points, float held)
 {
-  const float longest =
-      (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
+  const float longest = longestEdge(points);
   if (!(longest > 0.0f))
     return 1.0f;
   // The points of a surface grow with the square of the edge; of a line or a filled
@@ -189,8 +189,7 @@ neighbourhoodsOf(const Points& points, int neighbours, unsigned int threads)
   const float edge = grid.cells().edge();
   // of the coordinates of cells
   const float rounding =
-      4.0f * std::numeric_limits<float>::epsilon() *
-      (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
+      4.0f * std::numeric_limits<float>::epsilon() * longestEdge(points);
   inParallel(grid.occupied().size(), threads, 64, [&](std::ptrdiff_t c) {
     thread_local Surroundings around;
     thread_local Nearest nearest;

@@ -4,6 +4,7 @@
 
 #include <pcl/registration/kss/screening.h>
 
+#include "clouds.h"
 #include "evaluator_choice.h"
 #include "shift_sums.h"
 
@@ -41,7 +42,7 @@ struct Screening::Side {
   void
   setPoints(const Points& cloud)
   {
-    if (cloud.cols() != points.cols() || cloud != points)
+    if (!areEqual(cloud, points))
       lattice.reset();
     points = cloud;
   }

@@ -24,12 +24,16 @@ class SeveralDevices {
 public:
   /** \param[in] name see openCLPrograms()
    * \param[in] threads see openCLPrograms()
+   * \param[in] arguments what a worker needs beside its program
    * \throws DeviceError
    */
-  SeveralDevices(const std::string& name, unsigned int threads)
+  template <typename... Arguments>
+  SeveralDevices(const std::string& name,
+                 unsigned int threads,
+                 const Arguments&... arguments)
   {
     for (const auto& program : openCLPrograms(name, threads)) {
-      workers_.push_back(std::make_unique<Worker>(program));
+      workers_.push_back(std::make_unique<Worker>(program, arguments...));
       name_ += (name_.empty() ? "" : " + ") + program->deviceName();
     }
   }

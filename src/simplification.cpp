@@ -5,6 +5,7 @@
 #include <pcl/registration/kss/simplification.h>
 
 #include "cell_grid.h"
+#include "clouds.h"
 #include "parallel.h"
 #include "take.h"
 
@@ -20,10 +21,9 @@ namespace {
 
 /** L_p of (e6); 1 where all points coincide, so that it can divide. */
 float
-longestEdge(const Points& cloud)
+edgeToDivide(const Points& cloud)
 {
-  const float edge =
-      (cloud.rowwise().maxCoeff() - cloud.rowwise().minCoeff()).maxCoeff();
+  const float edge = longestEdge(cloud);
   return edge > 0.0f ? edge : 1.0f;
 }
 
@@ -33,7 +33,7 @@ voxelEdge(const Points& cloud)
 {
   const double divisions =
       std::round(std::cbrt(static_cast<double>(cloud.cols())) / 2.0);
-  return longestEdge(cloud) / static_cast<float>(std::max(1.0, divisions));
+  return edgeToDivide(cloud) / static_cast<float>(std::max(1.0, divisions));
 }
 
 /** A box of the cloud, and the samples taken in it. */
@@ -175,7 +175,7 @@ onePerCell(const Points& cloud, std::size_t least, std::size_t most)
   const auto size = static_cast<std::size_t>(cloud.cols());
   const int stride = static_cast<int>(std::max<std::size_t>(1, size / (12 * most)));
   const float aim = std::sqrt(static_cast<float>(least) * most);
-  const float longest = longestEdge(cloud);
+  const float longest = edgeToDivide(cloud);
   float edge = longest / std::sqrt(aim);
   std::vector<int> kept;
   for (int round = 0; round < 8; ++round) {
