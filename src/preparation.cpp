@@ -27,7 +27,7 @@ constexpr unsigned int most_means = 2500;
 FarthestOrder
 orderOf(const Points& points, const Settings& settings)
 {
-  // the paper's quotas need no order
+  // the other simplifications choose otherwise
   return settings.density == Density::UNIFORM
              ? inFarthestOrder(points, settings.sample_points)
              : FarthestOrder();
@@ -69,9 +69,9 @@ simplified(const PreparedCloud& source,
            const PreparedCloud& target,
            const Settings& settings)
 {
-  if (settings.density == Density::PAPER) {
+  if (settings.density != Density::UNIFORM) {
     const auto simple = [&](const PreparedCloud& cloud) {
-      return simplify(cloud.surface.points, settings.sample_points, Density::PAPER,
+      return simplify(cloud.surface.points, settings.sample_points, settings.density,
                       settings.threads);
     };
     return {simple(source), simple(target)};

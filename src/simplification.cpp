@@ -13,6 +13,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <random>
 #include <vector>
 
 namespace pcl {
@@ -150,6 +152,31 @@ quotasByCount(const std::vector<Voxel>& voxels, std::size_t points, std::size_t 
   return quotas;
 }
 
+/** So many of the points, voxel by voxel. */
+std::vector<int>
+byQuotas(const Points& cloud, std::size_t samples, unsigned int threads)
+{
+  VoxelRounds rounds(cloud, voxelEdge(cloud));
+  rounds.sample(quotasByCount(rounds.voxels(), cloud.cols(), samples), threads);
+  std::vector<int> indices;
+  for (const Voxel& voxel : rounds.voxels())
+    indices.insert(indices.end(), voxel.samples.begin(), voxel.samples.end());
+  return indices;
+}
+
+/** The first so many of a random order of the points. */
+std::vector<int>
+atRandom(std::size_t points, std::size_t samples)
+{
+  std::vector<int> indices(points);
+  std::iota(indices.begin(), indices.end(), 0);
+  std::mt19937_64 generator(0);
+  for (std::size_t i = 0; i < samples; ++i)
+    std::swap(indices[i], indices[i + generator() % (points - i)]);
+  indices.resize(samples);
+  return indices;
+}
+
 /** The first point of each cell; every so-manieth point takes part. */
 std::vector<int>
 onePerCell(const Points& cloud, float edge, std::size_t expected, int stride)
@@ -220,14 +247,10 @@ simplify(const Points& cloud, std::size_t k, Density density, unsigned int threa
 {
   if (density == Density::UNIFORM)
     return take(cloud, inFarthestOrder(cloud, k).indices);
-  const std::size_t points = cloud.cols();
-  const std::size_t samples = std::min<std::size_t>(k, points);
-  VoxelRounds rounds(cloud, voxelEdge(cloud));
-  rounds.sample(quotasByCount(rounds.voxels(), points, samples), threads);
-  std::vector<int> indices;
-  for (const Voxel& voxel : rounds.voxels())
-    indices.insert(indices.end(), voxel.samples.begin(), voxel.samples.end());
-  const Points simplified = take(cloud, indices);
+  const std::size_t samples = std::min<std::size_t>(k, cloud.cols());
+  const Points simplified =
+      take(cloud, density == Density::PAPER ? byQuotas(cloud, samples, threads)
+                                            : atRandom(cloud.cols(), samples));
   return take(simplified, inFarthestOrder(simplified, samples).indices);
 }
 

@@ -24,12 +24,19 @@ using pcl::kss::inFarthestOrder;
 using pcl::kss::neighbourhoodsOf;
 using pcl::kss::simplify;
 
-constexpr auto densities = {Density::UNIFORM, Density::PAPER};
+constexpr auto densities = {Density::UNIFORM, Density::PAPER, Density::RANDOM};
 
 const char*
 nameOf(Density density)
 {
-  return density == Density::PAPER ? "PAPER" : "UNIFORM";
+  switch (density) {
+  case Density::UNIFORM:
+    return "UNIFORM";
+  case Density::PAPER:
+    return "PAPER";
+  default:
+    return "RANDOM";
+  }
 }
 
 /** How many of k samples a cloud can spread evenly. */
@@ -213,6 +220,21 @@ TEST(Simplification, SpreadsAsEvenlyAsFarthestPointSampling)
     EXPECT_GT(smallestGap(samples), 0.95f * smallestGap(reference));
     EXPECT_LT(coveringRadius(samples, cloud), 1.05f * coveringRadius(reference, cloud));
   }
+}
+
+TEST(Simplification, DrawsPointsWithoutRegardToTheirPlace)
+{
+  const Points cloud = unevenSquare(40000, 6);
+  const Points samples = simplify(cloud, 2000, Density::RANDOM, 1);
+  EXPECT_TRUE(samples == simplify(cloud, 2000, Density::RANDOM, 2));
+  const auto input = stripesOf(cloud), drawn = stripesOf(samples);
+  for (int stripe = 0; stripe < 5; ++stripe) // five standard deviations
+    EXPECT_NEAR(input[stripe] / 20.0, drawn[stripe],
+                5.0 * std::sqrt(input[stripe] / 20.0))
+        << stripe;
+  // far from even: some of the draws are near neighbours
+  EXPECT_LT(smallestGap(samples),
+            0.2f * smallestGap(simplify(cloud, 2000, Density::UNIFORM, 1)));
 }
 
 TEST(Simplification, EvensOutASteepDensityGradient)

@@ -6,7 +6,42 @@
 
 #include "geometry.h"
 
+#include <array>
+#include <random>
+#include <vector>
+
 namespace tool {
+
+/** \brief A point of a surface, and the normal of the face that it lies on. */
+struct SurfacePoint {
+  Eigen::Vector3d position, normal;
+};
+
+/** \brief Draws points of a mesh, uniformly by area. */
+class MeshSampler {
+public:
+  /** \brief Faces that have a point that is not finite are left out. */
+  explicit MeshSampler(const Geometry& mesh);
+
+  /** \brief The area of all faces; without any, nothing can be drawn. */
+  double
+  area() const
+  {
+    return area_up_to_.empty() ? 0.0 : area_up_to_.back();
+  }
+
+  /** \brief A point that follows from the generator's state alone, with every standard
+   * library.
+   */
+  SurfacePoint
+  draw(std::mt19937_64& generator) const;
+
+private:
+  using Triangle = std::array<Eigen::Vector3d, 3>;
+
+  std::vector<Triangle> triangles_;
+  std::vector<double> area_up_to_;
+};
 
 /** \brief Spread points over the faces of a mesh, uniformly by area and the same ones
  * at every call. \param[in] number of points \return the points; those of the mesh

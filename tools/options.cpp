@@ -54,8 +54,8 @@ visibleOptions()
      "rotations to try: even:N, N evenly spread ones (default even:1728), or euler, a "
      "grid of angles")
     ("density", word("KIND"),
-     "spread the simplified points by area: uniform (default), or as the cloud's own "
-     "points: paper")
+     "spread the simplified points by area: uniform (default), as the cloud's own "
+     "points: paper, or draw them: random")
     ("device", word("NAME"),
      "where to search: auto (default), the first OpenCL device if there is one, host, "
      "or the OpenCL device whose name contains NAME")
@@ -134,6 +134,19 @@ modeOf(const std::string& name)
   return found->second;
 }
 
+pcl::kss::Density
+densityOf(const std::string& name)
+{
+  using pcl::kss::Density;
+  const std::map<std::string, Density> densities = {{"uniform", Density::UNIFORM},
+                                                    {"paper", Density::PAPER},
+                                                    {"random", Density::RANDOM}};
+  const auto found = densities.find(name);
+  if (found == densities.end())
+    throw UsageError("density", name, "use uniform, paper or random");
+  return found->second;
+}
+
 pcl::kss::Settings
 settingsOf(const po::variables_map& values)
 {
@@ -176,12 +189,8 @@ settingsOf(const po::variables_map& values)
     else
       throw UsageError("rotations", value, remedy);
   });
-  ifGiven(values, "density", [&](const auto& value) {
-    if (value != "uniform" && value != "paper")
-      throw UsageError("density", value, "use uniform or paper");
-    settings.density =
-        value == "paper" ? pcl::kss::Density::PAPER : pcl::kss::Density::UNIFORM;
-  });
+  ifGiven(values, "density",
+          [&](const auto& value) { settings.density = densityOf(value); });
   ifGiven(values, "device", [&](const auto& value) {
     if (value.empty())
       throw UsageError("device", "''", "use auto, host or a name of --list-devices");

@@ -23,7 +23,8 @@ enum class Mode {
 /** \brief How the simplification spreads its points over the cloud. */
 enum class Density {
   UNIFORM, ///< by occupied area: uneven input density is evened out (default)
-  PAPER    ///< by point count, (e5) of the paper: the input's density is kept
+  PAPER,   ///< by point count, (e5) of the paper: the input's density is kept
+  RANDOM   ///< not at all, any point may come: what the others are measured against
 };
 
 /** \brief The candidate rotations {O}. */

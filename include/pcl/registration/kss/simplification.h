@@ -33,6 +33,8 @@ evenSampleSize(const FarthestOrder& order, const Neighbourhoods& neighbourhoods)
  * ones; within a voxel the point farthest from all samples so far, those of the
  * adjacent voxels included, is taken next.
  *
+ * Density::RANDOM draws points, the same ones at every call.
+ *
  * \param[in] cloud a cloud of any size
  * \param[in] k the number of samples
  * \param[in] density how the samples are spread
