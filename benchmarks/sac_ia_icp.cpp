@@ -4,12 +4,9 @@
 
 #include "sac_ia_icp.h"
 
+#include "fpfh.h"
 #include "process.h"
 
-#include <pcl/common/centroid.h>
-#include <pcl/features/fpfh.h>
-#include <pcl/features/normal_3d.h>
-#include <pcl/filters/voxel_grid.h>
 #include <pcl/registration/ia_ransac.h>
 #include <pcl/registration/icp.h>
 
@@ -19,16 +16,6 @@ namespace benchmarks {
 namespace {
 
 using Point = pcl::PointXYZ;
-using Normals = pcl::PointCloud<pcl::Normal>;
-using Feature = pcl::FPFHSignature33;
-using Features = pcl::PointCloud<Feature>;
-
-/** \brief A cloud as SAC-IA wants it. */
-struct Described {
-  Cloud::Ptr points{new Cloud};
-  Normals::Ptr normals{new Normals};
-  Features::Ptr features{new Features};
-};
 
 /** \brief CPU seconds from one step to the next. */
 class Laps {
@@ -54,38 +41,6 @@ public:
     return nr_iterations_;
   }
 };
-
-void
-thin(const Cloud::ConstPtr& cloud, float leaf, Described& result)
-{
-  pcl::VoxelGrid<Point> grid;
-  grid.setInputCloud(cloud);
-  grid.setLeafSize(leaf, leaf, leaf);
-  grid.filter(*result.points);
-}
-
-/** \brief Seen from the middle, normals of both clouds point to the same side. */
-void
-estimateNormals(float radius, Described& cloud)
-{
-  Eigen::Vector4f middle;
-  pcl::compute3DCentroid(*cloud.points, middle);
-  pcl::NormalEstimation<Point, pcl::Normal> estimation;
-  estimation.setInputCloud(cloud.points);
-  estimation.setViewPoint(middle.x(), middle.y(), middle.z());
-  estimation.setRadiusSearch(radius);
-  estimation.compute(*cloud.normals);
-}
-
-void
-describe(float radius, Described& cloud)
-{
-  pcl::FPFHEstimation<Point, pcl::Normal, Feature> estimation;
-  estimation.setInputCloud(cloud.points);
-  estimation.setInputNormals(cloud.normals);
-  estimation.setRadiusSearch(radius);
-  estimation.compute(*cloud.features);
-}
 
 /** \brief The three samples keep a tenth of the diagonal apart, and a point that is two
  * leaves off counts as wrong. SAC-IA compares \e squared distances with the limit that

@@ -1,0 +1,27 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include "../fpfh.h"
+#include "centred_pair.h"
+
+namespace evaluation {
+
+/** \brief Both clouds, thinned and described for methods that match features. */
+struct DescribedPair {
+  explicit DescribedPair(const CentredPair& pair);
+
+  float leaf; ///< edge length of the cells by which the clouds are thinned
+  benchmarks::Described source, target;
+};
+
+/** \brief A thirtieth of the target's diagonal, or more where a cloud is so sparse that
+ * a cell would hold less than about a point.
+ * \param[in] source_scale by which the source is to be multiplied first
+ */
+float
+leafFor(const CentredPair& pair, float source_scale = 1.0f);
+
+} // namespace evaluation
