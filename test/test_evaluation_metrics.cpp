@@ -289,8 +289,8 @@ TEST_F(EvaluationMetrics, WhatIsNoSimilarityIsNotSolved)
   poses[1](0, 0) = std::numeric_limits<double>::infinity();
   poses[2].col(0) *= -1.0; // a reflection
   poses[3].setZero();
-  poses[4](0, 3) = 1e20;  // the square of that is no float
-  poses[5](2, 3) = 1e200; // nor is that
+  poses[4](0, 3) = 1e20;                    // the square of that is no float
+  poses[5](2, 3) = 1e200;                   // nor is that
   poses[6].row(0) += 0.1 * poses[6].row(1); // a shear
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Metrics metrics = metricsOf(work, poses[i]);

@@ -74,7 +74,7 @@ TEST(EvaluationOptions, AreAsTheHelpSaysByDefault)
   const Options& options = result.options;
   EXPECT_EQ("models", options.models);
   EXPECT_EQ("results", options.out);
-  EXPECT_EQ(6u, options.number_of_models);
+  EXPECT_EQ(4u, options.number_of_models);
   EXPECT_EQ(1u, options.size_models);
   EXPECT_EQ(20.0, options.time_limit);
   EXPECT_EQ(tableNames(), options.tables);

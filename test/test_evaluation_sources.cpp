@@ -7,6 +7,7 @@
 #include "models.h"
 #include "neighbour_distances.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -206,11 +207,17 @@ TEST_F(EvaluationModels, AreChosenEvenly)
   std::vector<Model> models;
   for (const char c : std::string("abcdefghi"))
     models.push_back({std::string(1, c), "", true});
-  EXPECT_EQ((std::vector<std::string>{"b", "e", "h"}),
+  EXPECT_EQ((std::vector<std::string>{"b", "e", "g"}),
             namesOf(evenlyChosen(models, 3)));
   EXPECT_EQ(std::vector<std::string>{"e"}, namesOf(evenlyChosen(models, 1)));
   EXPECT_EQ(namesOf(models), namesOf(evenlyChosen(models, 0)));
   EXPECT_EQ(namesOf(models), namesOf(evenlyChosen(models, 20)));
+  for (std::size_t number = 2; number < 9; ++number) { // more only add
+    const auto more = namesOf(evenlyChosen(models, number)),
+               fewer = namesOf(evenlyChosen(models, number - 1));
+    EXPECT_EQ(number, more.size());
+    EXPECT_TRUE(std::includes(more.begin(), more.end(), fewer.begin(), fewer.end()));
+  }
 }
 
 TEST_F(EvaluationModels, NeedAFolder)

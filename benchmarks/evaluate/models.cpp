@@ -9,6 +9,7 @@
 #include <boost/algorithm/string/case_conv.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -92,10 +93,17 @@ evenlyChosen(const std::vector<Model>& models, std::size_t number)
 {
   if (number == 0 || models.size() <= number)
     return models;
-  std::vector<Model> chosen;
-  for (std::size_t i = 0; i < number; ++i)
-    chosen.push_back(models[(2 * i + 1) * models.size() / (2 * number)]);
-  return chosen;
+  // Multiples of the golden ratio fill an interval evenly, however many there are.
+  const double golden = (std::sqrt(5.0) - 1.0) / 2.0;
+  std::set<std::size_t> chosen;
+  for (double place = 0.5; chosen.size() < number; place += golden) {
+    const double share = place - std::floor(place);
+    chosen.insert(static_cast<std::size_t>(share * static_cast<double>(models.size())));
+  }
+  std::vector<Model> result;
+  for (const std::size_t index : chosen)
+    result.push_back(models[index]);
+  return result;
 }
 
 } // namespace evaluation

@@ -33,8 +33,8 @@ struct ModelFolder {
 ModelFolder
 modelsOf(const std::string& folder);
 
-/** \brief So many models, spread evenly over the sorted names; all where there are no
- * more.
+/** \brief So many models, spread about evenly over the sorted names; all where there
+ * are no more, or \a number is 0. A larger number keeps those of a smaller one.
  */
 std::vector<Model>
 evenlyChosen(const std::vector<Model>& models, std::size_t number);

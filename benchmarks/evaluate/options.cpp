@@ -60,7 +60,8 @@ visibleOptions()
     ("full", "all models, fifteen times the time limit, three models at all sizes, rather "
      "than what is done within half an hour on two cores")
     ("models", po::value<long long>()->value_name("N"),
-     "evaluate so many of the models, evenly chosen (default 6; 0: all)")
+     "evaluate so many of the models, evenly chosen (default 4; 0: all); more of them "
+     "add to what there is")
     ("size-models", po::value<long long>()->value_name("N"),
      "meshes that the clouds of 5,000 to 1,000,000 points are drawn from (default 1)")
     ("methods", po::value<std::string>()->value_name("A,B"), "only these methods")

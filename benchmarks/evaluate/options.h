@@ -18,7 +18,7 @@ struct Options {
   std::string out;    ///< folder
   Protocol protocol;
   std::vector<std::string> tables;  ///< see tableNames()
-  std::size_t number_of_models = 6; ///< evenly chosen; 0: all
+  std::size_t number_of_models = 4; ///< evenly chosen; 0: all
   std::size_t size_models = 1;      ///< meshes whose clouds grow to a million points
   std::vector<std::string> methods; ///< by name; empty: all
   std::vector<std::string> ablate;  ///< flags of the ablations
