@@ -37,9 +37,10 @@ def _search(results: Results, kind) -> list:
     found = []
     for block in BLOCKS:
         for condition in results.conditions:
-            ours = results.of(condition, reference, block) if reference else []
+            all_ours = results.of(condition, reference, block) if reference else []
             for method in results.methods:
-                theirs = results.of(condition, method, block)
+                ours, theirs = runs.in_common(all_ours,
+                                              results.of(condition, method, block))
                 if ours and theirs and method.name != REFERENCE:
                     found += [Loss(block, condition, metric, method, a, b, ours,
                                    theirs)
@@ -78,8 +79,9 @@ def section(results: Results):
     parts = ["Computed from the tables above: wherever a method's mean MSE, RMSE or MAE is "
              f"lower than that of {REFERENCE} by more than {100 * MARGIN:.0f} %, its "
              "success rate is higher, or its median CPU time is lower. Where the scale is "
-             "unknown, times are compared with methods that estimate it only. What is "
-             "not listed is no loss.\n"]
+             "unknown, times are compared with methods that estimate it only. Each pair is "
+             "compared on the cases that both have run; in brackets, how many of them are "
+             "solved. What is not listed is no loss.\n"]
     parts += _missing(results)
     peers = [loss for loss in found if not loss.method.is_own]
     own = [loss for loss in found if loss.method.is_own]
@@ -111,7 +113,7 @@ def _tables(losses: list) -> str:
     times = [loss for loss in losses if loss.metric == "CPU time"]
     parts = ["Errors:\n", _table(errors, tables.scientific, _less),
              "Success rates:\n", _table(rates, _percent, _rate),
-             "CPU times, with the cases solved for them:\n",
+             "CPU times:\n",
              _table(times, tables.measured_seconds, _time)]
     return "\n".join(parts)
 
@@ -129,21 +131,15 @@ def _table(losses: list, text, better) -> str:
                                                         group[0].our_cases)
         group.sort(key=lambda loss: loss.theirs, reverse=metric == "success")
         rows.append([block, condition, metric, own_figure,
-                     "; ".join(better(loss) + _other_count(loss) for loss in group)])
+                     "; ".join(better(loss) for loss in group)])
     head = ["Block", "Condition", "Figure", REFERENCE, "Better"]
     return tables.markdown(head, rows, texts=5)
 
 
 def _solved_text(metric: str, cases: list) -> str:
-    if metric != "CPU time":
+    if metric == "success":
         return ""
     return f" ({tables.share(len(runs.solved(cases)), len(cases))})"
-
-
-def _other_count(loss: Loss) -> str:
-    """Says so where the two were not compared over the same number of cases."""
-    ours, theirs = len(loss.our_cases), len(loss.their_cases)
-    return "" if ours == theirs else f" (n = {theirs}, not {ours})"
 
 
 def _percent(value: float) -> str:
@@ -151,8 +147,9 @@ def _percent(value: float) -> str:
 
 
 def _less(loss: Loss) -> str:
-    return (f"{loss.method.title} {tables.scientific(loss.theirs)} "
-            f"(−{100 * (1 - loss.theirs / loss.ours):.0f} %)")
+    solved = _solved_text(loss.metric, loss.their_cases)
+    return (f"{loss.method.title} {tables.scientific(loss.theirs)}{solved}, "
+            f"−{100 * (1 - loss.theirs / loss.ours):.0f} %")
 
 
 def _rate(loss: Loss) -> str:

@@ -10,10 +10,11 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from PIL import Image
 
 ORANGE, BLUE = np.array([0.93, 0.50, 0.13]), np.array([0.20, 0.45, 0.78])
-MAXIMUM = 4000
-DPI = 150
+MAXIMUM = 2500
+DPI = 100
 
 
 @dataclass(frozen=True)
@@ -134,6 +135,9 @@ def _draw(meta: dict, source: np.ndarray, target: np.ndarray, path: str):
     figure.tight_layout(rect=(0, 0, 1, 0.97))
     figure.savefig(path, facecolor="white")
     plt.close(figure)
+    with Image.open(path) as picture:  # thousands of pale points: few colours do, and
+        few_colours = picture.convert("RGB").quantize(64)  # a quarter of the bytes
+    few_colours.save(path, optimize=True)
 
 
 def _panel(panel, source: np.ndarray, target: np.ndarray):

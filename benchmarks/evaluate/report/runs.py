@@ -227,6 +227,16 @@ def placed(runs: list) -> list:
     return [run for run in solved(runs) if not run.get("by_symmetry")]
 
 
+def in_common(some: list, others: list):
+    """Both, on the cases that both have."""
+    def cases(these):
+        return {(run["model"], run["repetition"]) for run in these}
+
+    common = cases(some) & cases(others)
+    return tuple([run for run in these if (run["model"], run["repetition"]) in common]
+                 for these in (some, others))
+
+
 def wrong_claims(runs: list) -> list:
     """Those that claim success without it."""
     return [run for run in runs if run.get("claimed") and not run.get("solved")]
