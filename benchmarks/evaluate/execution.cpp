@@ -85,7 +85,7 @@ recordOf(const Run& run, const Case& work, const Outcome& outcome, double time_l
   if (outcome.end == Outcome::TIMED_OUT)
     return timedOut(run, work, time_limit,
                     "took longer than " + std::to_string(std::lround(time_limit)) +
-                        " s");
+                        " s of CPU time");
   const Record record = Record::parse(outcome.answer, nullptr, false);
   if (outcome.end == Outcome::CRASHED || record.is_discarded())
     return unanswered(run, work, "crashed",

@@ -67,7 +67,7 @@ visibleOptions()
     ("methods", po::value<std::string>()->value_name("A,B"), "only these methods")
     ("list-methods", "list the methods")
     ("time-limit", po::value<double>()->value_name("S"),
-     "seconds after which a registration is given up (default 20)")
+     "seconds of CPU time after which a registration is given up (default 20)")
     ("jobs", po::value<long long>()->value_name("N"),
      "registrations at a time (default 0: as many as cores); those of the sizes always "
      "run alone")

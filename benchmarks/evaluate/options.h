@@ -22,7 +22,7 @@ struct Options {
   std::size_t size_models = 1;      ///< meshes whose clouds grow to a million points
   std::vector<std::string> methods; ///< by name; empty: all
   std::vector<std::string> ablate;  ///< flags of the ablations
-  double time_limit = 20.0;         ///< seconds of wall time
+  double time_limit = 20.0;         ///< seconds of CPU time
   unsigned int jobs = 0;            ///< 0: as many as cores
 };
 

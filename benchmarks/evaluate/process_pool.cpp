@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -33,12 +34,27 @@ fail(const std::string& what)
   throw std::runtime_error(what + ": " + std::strerror(errno));
 }
 
+/** \brief Have SIGPROF end this process after so many seconds of its CPU time. */
+void
+endAfter(double seconds)
+{
+  itimerval timer = {};
+  timer.it_value.tv_sec = static_cast<time_t>(seconds);
+  timer.it_value.tv_usec = static_cast<suseconds_t>(
+      1e6 * (seconds - static_cast<double>(timer.it_value.tv_sec)));
+  setitimer(ITIMER_PROF, &timer, nullptr);
+}
+
 /** \brief In the new process: do the work, write the answer, and leave without the
  * destructors of what belongs to the old one. What is thrown counts as a crash.
  */
 [[noreturn]] void
-workInChild(const ProcessPool::Work& work, int answer_end, int messages) noexcept
+workInChild(const ProcessPool::Work& work,
+            double time_limit,
+            int answer_end,
+            int messages) noexcept
 {
+  endAfter(time_limit);
   prctl(PR_SET_PDEATHSIG, SIGKILL); // nothing is left running when the parent dies
   dup2(messages, STDOUT_FILENO);
   dup2(messages, STDERR_FILENO);
@@ -63,6 +79,7 @@ ProcessPool::ProcessPool(unsigned int jobs,
                          const std::string& messages)
 : jobs_(std::max(jobs, 1u))
 , time_limit_(time_limit)
+, wall_limit_(4.0 * time_limit)
 , messages_(open(messages.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644))
 {
   if (messages_ < 0)
@@ -95,7 +112,7 @@ ProcessPool::start(const Work& work, Done done)
     fail("cannot start another process");
   if (id == 0) {
     close(ends[0]);
-    workInChild(work, ends[1], messages_);
+    workInChild(work, time_limit_, ends[1], messages_);
   }
   close(ends[1]);
   running_.push_back({id, ends[0], wallSeconds(), std::move(done), {}});
@@ -112,11 +129,11 @@ void
 ProcessPool::waitForOne()
 {
   while (true) {
-    double first_deadline = running_.front().start + time_limit_;
+    double first_deadline = running_.front().start + wall_limit_;
     std::vector<pollfd> ends;
     for (const auto& process : running_) {
       ends.push_back({process.answer, POLLIN, 0});
-      first_deadline = std::min(first_deadline, process.start + time_limit_);
+      first_deadline = std::min(first_deadline, process.start + wall_limit_);
     }
     const double left = std::max(0.0, first_deadline - wallSeconds());
     poll(ends.data(), ends.size(), static_cast<int>(1000.0 * std::min(left, 1e6)) + 1);
@@ -133,7 +150,7 @@ ProcessPool::waitForOne()
         end(process);
         return;
       }
-      else if (wallSeconds() > process->start + time_limit_) {
+      else if (wallSeconds() > process->start + wall_limit_) {
         kill(process->id, SIGKILL);
         process->outcome.end = Outcome::TIMED_OUT;
         end(process);
@@ -151,6 +168,8 @@ ProcessPool::end(std::list<Process>::iterator process)
   close(process->answer);
   Outcome outcome = std::move(process->outcome);
   outcome.wall_seconds = wallSeconds() - process->start;
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF)
+    outcome.end = Outcome::TIMED_OUT;
   if (outcome.end != Outcome::TIMED_OUT)
     outcome.end = WIFEXITED(status) && WEXITSTATUS(status) == 0 ? Outcome::FINISHED
                                                                 : Outcome::CRASHED;

@@ -29,7 +29,8 @@ public:
   using Done = std::function<void(const Outcome&)>;
 
   /** \param[in] jobs how many processes run at once
-   * \param[in] time_limit seconds of wall time after which a process is killed
+   * \param[in] time_limit seconds of CPU time after which a process is killed, so that
+   * other work on the machine decides nothing; or four times as much wall time
    * \param[in] messages file that takes what the processes print
    */
   ProcessPool(unsigned int jobs, double time_limit, const std::string& messages);
@@ -67,7 +68,7 @@ private:
   end(std::list<Process>::iterator process);
 
   unsigned int jobs_;
-  double time_limit_;
+  double time_limit_, wall_limit_;
   int messages_;
   std::list<Process> running_;
 };
