@@ -38,6 +38,7 @@ report(const std::string& out)
               << python << ' ' << script << ' ' << out << '\n';
     return 1;
   }
+  std::cout << out << "/report.md\n";
   return 0;
 }
 
