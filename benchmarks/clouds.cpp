@@ -4,7 +4,6 @@
 
 #include "clouds.h"
 
-#include <pcl/common/common.h>
 #include <pcl/common/transforms.h>
 
 #include <algorithm>
@@ -157,14 +156,6 @@ secondPairOf(std::size_t size)
     return found->second;
   const Eigen::Affine3d pose = makePose(100.0, {-3.0, 1.0, -1.0}, {-4.0, 1.0, 3.0});
   return pairs[size] = makePair(pairOf(size).target, 13, pose);
-}
-
-double
-diagonalOf(const Cloud& cloud)
-{
-  pcl::PointXYZ smallest, largest;
-  pcl::getMinMax3D(cloud, smallest, largest);
-  return (largest.getVector3fMap() - smallest.getVector3fMap()).norm();
 }
 
 } // namespace benchmarks

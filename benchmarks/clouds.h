@@ -40,8 +40,4 @@ pairOf(std::size_t size);
 const Pair&
 secondPairOf(std::size_t size);
 
-/** \brief The diagonal of a cloud's bounding box. */
-double
-diagonalOf(const Cloud& cloud);
-
 } // namespace benchmarks

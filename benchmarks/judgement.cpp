@@ -4,6 +4,8 @@
 
 #include "judgement.h"
 
+#include "diagonal.h"
+
 #include <pcl/common/centroid.h>
 
 #include <cmath>

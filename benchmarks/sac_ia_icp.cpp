@@ -4,6 +4,7 @@
 
 #include "sac_ia_icp.h"
 
+#include "diagonal.h"
 #include "fpfh.h"
 #include "process.h"
 

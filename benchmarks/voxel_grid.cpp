@@ -6,6 +6,7 @@
 // both clouds thinned by VoxelGrid, and a search tree of the target.
 
 #include "clouds.h"
+#include "diagonal.h"
 #include "process.h"
 #include "sizes.h"
 

@@ -4,10 +4,10 @@
 
 #include "case.h"
 
+#include "../diagonal.h"
 #include "neighbour_distances.h"
 #include "resampling.h"
 
-#include <pcl/common/common.h>
 #include <pcl/common/transforms.h>
 
 #include <algorithm>
@@ -134,9 +134,7 @@ makeCase(const Surface& surface,
   result.overlap = 1.0 - condition.deleted;
   result.seed = static_cast<unsigned int>(hashOf(names));
 
-  pcl::PointXYZ smallest, largest;
-  pcl::getMinMax3D(*result.target, smallest, largest);
-  result.diagonal = (largest.getVector3fMap() - smallest.getVector3fMap()).norm();
+  result.diagonal = benchmarks::diagonalOf(*result.target);
 
   constexpr std::size_t few = 3000, many = 30000;
   const auto [whole, whole_again] = surface.drawTwo(few, many, random);

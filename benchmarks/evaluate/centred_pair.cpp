@@ -4,9 +4,9 @@
 
 #include "centred_pair.h"
 
+#include "neighbour_distances.h"
+
 #include <pcl/common/centroid.h>
-#include <pcl/common/common.h>
-#include <pcl/kdtree/kdtree_flann.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,14 +45,6 @@ CentredPair::uncentred(const Eigen::Matrix4d& pose) const
 }
 
 float
-diagonalOf(const Cloud& cloud)
-{
-  pcl::PointXYZ smallest, largest;
-  pcl::getMinMax3D(cloud, smallest, largest);
-  return (largest.getVector3fMap() - smallest.getVector3fMap()).norm();
-}
-
-float
 rmsRadiusOf(const Cloud& cloud)
 {
   double sum = 0.0;
@@ -64,18 +56,8 @@ rmsRadiusOf(const Cloud& cloud)
 float
 spacingOf(const Cloud::ConstPtr& cloud)
 {
-  pcl::KdTreeFLANN<pcl::PointXYZ> tree;
-  tree.setInputCloud(cloud);
   const std::size_t step = std::max<std::size_t>(1, cloud->size() / 1000);
-  double sum = 0.0;
-  std::size_t distances = 0;
-  pcl::Indices neighbours;
-  std::vector<float> squared;
-  for (std::size_t i = 0; i < cloud->size(); i += step, ++distances) {
-    tree.nearestKSearch((*cloud)[i], 2, neighbours, squared); // the first is itself
-    sum += std::sqrt(squared.back());
-  }
-  return static_cast<float>(sum / static_cast<double>(distances));
+  return static_cast<float>(meanNeighbourDistance(cloud, 1, step));
 }
 
 } // namespace evaluation

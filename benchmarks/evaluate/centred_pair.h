@@ -25,10 +25,6 @@ struct CentredPair {
   Eigen::Vector3d source_centroid, target_centroid;
 };
 
-/** \brief The diagonal of a cloud's bounding box. */
-float
-diagonalOf(const Cloud& cloud);
-
 /** \brief The root of the mean squared distance to the origin. */
 float
 rmsRadiusOf(const Cloud& cloud);

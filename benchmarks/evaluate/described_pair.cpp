@@ -4,6 +4,8 @@
 
 #include "described_pair.h"
 
+#include "../diagonal.h"
+
 #include <algorithm>
 
 namespace evaluation {
@@ -31,7 +33,7 @@ DescribedPair::DescribedPair(const CentredPair& pair)
 float
 leafFor(const CentredPair& pair, float source_scale)
 {
-  return std::max({diagonalOf(*pair.target) / 30.0f,
+  return std::max({static_cast<float>(benchmarks::diagonalOf(*pair.target)) / 30.0f,
                    2.0f * source_scale * spacingOf(pair.source),
                    2.0f * spacingOf(pair.target)});
 }

@@ -17,6 +17,17 @@ struct DescribedPair {
   benchmarks::Described source, target;
 };
 
+/** \brief Give a registration clouds and features. */
+template <typename Registration>
+void
+setInput(Registration& registration, const DescribedPair& pair)
+{
+  registration.setInputSource(pair.source.points);
+  registration.setSourceFeatures(pair.source.features);
+  registration.setInputTarget(pair.target.points);
+  registration.setTargetFeatures(pair.target.features);
+}
+
 /** \brief A thirtieth of the target's diagonal, or more where a cloud is so sparse that
  * a cell would hold less than about a point.
  * \param[in] source_scale by which the source is to be multiplied first

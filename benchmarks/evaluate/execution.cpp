@@ -4,13 +4,13 @@
 
 #include "execution.h"
 
+#include "cases.h"
 #include "process_pool.h"
 #include "progress.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <memory>
 
 namespace evaluation {
 namespace {
@@ -27,45 +27,6 @@ missing(const std::vector<Run>& runs, const RunLog& log, double time_limit)
       });
   return result;
 }
-
-/** \brief Makes the cases of runs; keeps the last one, which mostly is the next, too.
- */
-class Cases {
-public:
-  Cases(const std::vector<Model>& models, const Protocol& protocol)
-  : models_(models)
-  , protocol_(protocol)
-  {
-  }
-
-  std::shared_ptr<const Case>
-  of(const Run& run)
-  {
-    if (run.model != model_) {
-      const auto model =
-          std::find_if(models_.begin(), models_.end(),
-                       [&](const Model& each) { return each.name == run.model; });
-      surface_ = std::make_unique<Surface>(model->path);
-      model_ = run.model;
-      name_.clear();
-    }
-    const std::string name = run.condition.name + '/' + std::to_string(run.repetition);
-    if (name != name_) {
-      case_.reset(); // a million points need not be there twice
-      case_ = std::make_shared<Case>(
-          makeCase(*surface_, run.model, run.condition, run.repetition, protocol_));
-      name_ = name;
-    }
-    return case_;
-  }
-
-private:
-  std::vector<Model> models_;
-  Protocol protocol_;
-  std::string model_, name_;
-  std::unique_ptr<Surface> surface_;
-  std::shared_ptr<const Case> case_;
-};
 
 Record
 timedOut(const Run& run,

@@ -4,6 +4,8 @@
 
 #include "icp.h"
 
+#include "../diagonal.h"
+
 #include <pcl/registration/icp.h>
 #include <pcl/registration/transformation_estimation_svd_scale.h>
 
@@ -29,7 +31,7 @@ refine(const CentredPair& pair,
 
   Eigen::Matrix4f pose = guess;
   for (const double reach : refinement.reaches) {
-    icp.setMaxCorrespondenceDistance(reach * diagonalOf(*pair.target));
+    icp.setMaxCorrespondenceDistance(reach * benchmarks::diagonalOf(*pair.target));
     Cloud aligned;
     icp.align(aligned, pose);
     pose = icp.getFinalTransformation();

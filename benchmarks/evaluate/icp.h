@@ -27,4 +27,18 @@ refine(const CentredPair& pair,
        const Eigen::Matrix4f& guess,
        const Refinement& refinement);
 
+/** \brief A coarse registration that has been given the clouds of a pair, and then
+ * refine().
+ */
+template <typename Coarse>
+Answer
+alignAndRefine(Coarse& coarse, const CentredPair& pair)
+{
+  Cloud aligned;
+  coarse.align(aligned);
+  Answer answer = refine(pair, coarse.getFinalTransformation(), {});
+  answer.claimed = answer.claimed && coarse.hasConverged();
+  return answer;
+}
+
 } // namespace evaluation

@@ -24,22 +24,14 @@ registerByPrerejective(const Task& task)
   const DescribedPair described(pair);
 
   pcl::SampleConsensusPrerejective<Point, Point, benchmarks::Feature> prerejective;
-  prerejective.setInputSource(described.source.points);
-  prerejective.setSourceFeatures(described.source.features);
-  prerejective.setInputTarget(described.target.points);
-  prerejective.setTargetFeatures(described.target.features);
+  setInput(prerejective, described);
   prerejective.setNumberOfSamples(3);
   prerejective.setCorrespondenceRandomness(5);
   prerejective.setSimilarityThreshold(0.9f);
   prerejective.setMaxCorrespondenceDistance(1.5f * described.leaf);
   prerejective.setInlierFraction(0.25f);
   prerejective.setMaximumIterations(8000);
-  Cloud aligned;
-  prerejective.align(aligned);
-
-  Answer answer = refine(pair, prerejective.getFinalTransformation(), {});
-  answer.claimed = answer.claimed && prerejective.hasConverged();
-  return answer;
+  return alignAndRefine(prerejective, pair);
 }
 
 } // namespace evaluation

@@ -25,20 +25,12 @@ registerBySacIa(const Task& task)
   const float leaf = described.leaf;
 
   pcl::SampleConsensusInitialAlignment<Point, Point, benchmarks::Feature> sac_ia;
-  sac_ia.setInputSource(described.source.points);
-  sac_ia.setSourceFeatures(described.source.features);
-  sac_ia.setInputTarget(described.target.points);
-  sac_ia.setTargetFeatures(described.target.features);
+  setInput(sac_ia, described);
   sac_ia.setMinSampleDistance(4.0f * leaf);
   sac_ia.setMaxCorrespondenceDistance(4.0f * leaf * leaf);
   sac_ia.setCorrespondenceRandomness(5);
   sac_ia.setMaximumIterations(1000);
-  Cloud aligned;
-  sac_ia.align(aligned);
-
-  Answer answer = refine(pair, sac_ia.getFinalTransformation(), {});
-  answer.claimed = answer.claimed && sac_ia.hasConverged();
-  return answer;
+  return alignAndRefine(sac_ia, pair);
 }
 
 } // namespace evaluation

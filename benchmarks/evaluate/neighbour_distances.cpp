@@ -4,8 +4,6 @@
 
 #include "neighbour_distances.h"
 
-#include "method.h"
-
 #include <pcl/common/centroid.h>
 #include <pcl/features/normal_3d.h>
 #include <pcl/kdtree/kdtree_flann.h>
@@ -15,7 +13,7 @@
 namespace evaluation {
 namespace {
 
-constexpr int k = 12;
+constexpr int papers_k = 12;
 
 Cloud::Ptr
 positionsOf(const SurfacePoints& points)
@@ -31,21 +29,26 @@ positionsOf(const SurfacePoints& points)
 } // namespace
 
 double
-meanNeighbourDistance(const SurfacePoints& points)
+meanNeighbourDistance(const Cloud::ConstPtr& cloud, int k, std::size_t step)
 {
-  const auto cloud = positionsOf(points);
   pcl::KdTreeFLANN<pcl::PointXYZ> tree;
   tree.setInputCloud(cloud);
   double sum = 0.0;
   std::size_t distances = 0;
   pcl::Indices neighbours;
   std::vector<float> squared;
-  for (const auto& point : *cloud) {
-    tree.nearestKSearch(point, k + 1, neighbours, squared); // the point itself is first
-    for (std::size_t i = 1; i < squared.size(); ++i, ++distances)
-      sum += std::sqrt(squared[i]);
+  for (std::size_t i = 0; i < cloud->size(); i += step) {
+    tree.nearestKSearch((*cloud)[i], k + 1, neighbours, squared); // itself is first
+    for (std::size_t n = 1; n < squared.size(); ++n, ++distances)
+      sum += std::sqrt(squared[n]);
   }
   return sum / static_cast<double>(distances);
+}
+
+double
+meanNeighbourDistance(const SurfacePoints& points)
+{
+  return meanNeighbourDistance(positionsOf(points), papers_k, 1);
 }
 
 void
@@ -53,7 +56,7 @@ estimateNormals(SurfacePoints& points)
 {
   pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
   estimation.setInputCloud(positionsOf(points));
-  estimation.setKSearch(k);
+  estimation.setKSearch(papers_k);
   pcl::PointCloud<pcl::Normal> normals;
   estimation.compute(normals);
 

@@ -77,6 +77,16 @@ lineOf(const Record& record)
 }
 
 Record
+numbersOf(const Eigen::Matrix4d& matrix)
+{
+  Record numbers = Record::array();
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column)
+      numbers.push_back(matrix(row, column));
+  return numbers;
+}
+
+Record
 performed(const Run& run, const Case& work)
 {
   Record record = keyOf(run);
@@ -93,10 +103,7 @@ performed(const Run& run, const Case& work)
   }
   record["claimed"] = answer.claimed;
   addMetrics(metricsOf(given, answer.pose), record);
-  record["pose"] = Record::array();
-  for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column)
-      record["pose"].push_back(answer.pose(row, column));
+  record["pose"] = numbersOf(answer.pose);
   return record;
 }
 

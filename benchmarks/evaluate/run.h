@@ -34,6 +34,10 @@ keyOf(const Run& run);
 std::string
 lineOf(const Record& record);
 
+/** \brief The 16 numbers of a matrix, row by row. */
+Record
+numbersOf(const Eigen::Matrix4d& matrix);
+
 /** \brief Run the method and judge its answer; in a process of its own, since the
  * memory that this takes is measured, too.
  */

@@ -4,6 +4,8 @@
 
 #include "worst_cases.h"
 
+#include "cases.h"
+
 #include <pcl/io/ply_io.h>
 
 #include <algorithm>
@@ -38,13 +40,6 @@ worstRuns(const Plan& plan, const Protocol& protocol, const RunLog& log)
   return runs;
 }
 
-const Model&
-modelOf(const Run& run, const Plan& plan)
-{
-  return *std::find_if(plan.models.begin(), plan.models.end(),
-                       [&](const Model& model) { return model.name == run.model; });
-}
-
 void
 write(const Run& run, const Case& work, const Record& record, const std::string& folder)
 {
@@ -55,10 +50,7 @@ write(const Run& run, const Case& work, const Record& record, const std::string&
   for (const char* name : {"solved", "claimed", "rotation_deg", "scale", "tre", "pose"})
     if (record.contains(name))
       meta[name] = record.at(name);
-  meta["truth"] = Record::array();
-  for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column)
-      meta["truth"].push_back(work.truth(row, column));
+  meta["truth"] = numbersOf(work.truth);
   std::ofstream(folder + "/meta.json") << meta.dump(2) << '\n';
 }
 
@@ -71,14 +63,13 @@ writeWorstCases(const Plan& plan,
                 const std::string& folder)
 {
   std::filesystem::remove_all(folder);
+  Cases cases(plan.models, protocol);
   std::size_t rank = 0;
   for (const auto& run : worstRuns(plan, protocol, log)) {
-    const Surface surface(modelOf(run, plan).path);
     std::string name = std::to_string(++rank) + '-' + run.model + '-' +
                        run.condition.name + '-' + std::to_string(run.repetition);
     std::replace(name.begin(), name.end(), '/', '_');
-    write(run, makeCase(surface, run.model, run.condition, run.repetition, protocol),
-          *log.find(run), folder + '/' + name);
+    write(run, *cases.of(run), *log.find(run), folder + '/' + name);
   }
 }
 
