@@ -3,6 +3,7 @@
  */
 
 #include <pcl/registration/kss/alignment.h>
+#include <pcl/registration/kss/stopping.h>
 
 #include "clouds.h"
 #include "median.h"
@@ -120,12 +121,10 @@ Alignment::align()
   const Selection selection(*source_, *target_, *metric_, scaleRange(), is_noisy_,
                             settings_.threads);
   const Minimum& initial = minima.front();
-  const double threshold = settings_.additional_process_threshold;
   std::vector<JudgedPose> judged;
-  if (threshold > 0.0)
+  if (settings_.additional_process_threshold > 0.0)
     judged = selection.best({initial.pose}, [](double) {});
-  if (judged.empty() ||
-      search_.energyAt(judged.front().pose, initial.weights) > threshold) {
+  if (judged.empty() || !isGoodEnough(judged.front(), initial.weights)) {
     std::vector<Eigen::Matrix4d> poses;
     for (const Minimum& minimum : minima)
       poses.push_back(minimum.pose);
@@ -139,6 +138,16 @@ Alignment::align()
   report("refinement", 1.0);
   clock_.lap("refinement");
   return alternatives;
+}
+
+bool
+Alignment::isGoodEnough(const JudgedPose& judged, const Weights& weights)
+try {
+  return search_.energyAt(judged.pose, weights) <=
+         settings_.additional_process_threshold;
+}
+catch (const Stopped&) {
+  return true; // it has to be
 }
 
 ScaleRange

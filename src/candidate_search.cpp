@@ -4,6 +4,7 @@
 
 #include <pcl/registration/kss/candidate_search.h>
 #include <pcl/registration/kss/exact_search.h>
+#include <pcl/registration/kss/stopping.h>
 
 #include <algorithm>
 #include <limits>
@@ -58,18 +59,19 @@ CandidateSearch::localMinima(const ScaleRange& scales,
 {
   std::vector<Minimum> minima;
   const auto sweeps = sweepsOf(settings_, source_, target_, scales);
-  for (std::size_t i = 0; i < sweeps.size(); ++i) {
-    const Sweep& sweep = sweeps[i];
-    const auto doneOfSweep = [&](double share) {
-      done((static_cast<double>(i) + share) / static_cast<double>(sweeps.size()));
-    };
-    // few candidates need no screening
-    const auto found = settings_.search == Search::EXACT ? exact(sweep)
-                       : screening_ && sweep.candidates.size() > most_screened
-                           ? screened(sweep, metric)
-                           : evaluated(sweep, doneOfSweep);
-    minima.insert(minima.end(), found.begin(), found.end());
-    doneOfSweep(1.0);
+  try {
+    for (std::size_t i = 0; i < sweeps.size(); ++i) {
+      const auto doneOfSweep = [&](double share) {
+        done((static_cast<double>(i) + share) / static_cast<double>(sweeps.size()));
+      };
+      const auto found = minimaOf(sweeps[i], metric, doneOfSweep);
+      minima.insert(minima.end(), found.begin(), found.end());
+      doneOfSweep(1.0);
+    }
+  }
+  catch (const Stopped&) {
+    if (minima.empty())
+      throw;
   }
   // The energies share many of their minima.
   DistinctPoses distinct(metric, 1e-3);
@@ -82,6 +84,19 @@ CandidateSearch::localMinima(const ScaleRange& scales,
                                                  return a.energy < b.energy;
                                                }));
   return all;
+}
+
+std::vector<Minimum>
+CandidateSearch::minimaOf(const Sweep& sweep,
+                          const PoseMetric& metric,
+                          const std::function<void(double)>& done)
+{
+  if (settings_.search == Search::EXACT)
+    return exact(sweep);
+  // few candidates need no screening
+  if (screening_ && sweep.candidates.size() > most_screened)
+    return screened(sweep, metric);
+  return evaluated(sweep, done);
 }
 
 std::vector<Minimum>

@@ -3,6 +3,7 @@
  */
 
 #include <pcl/registration/kss/distance_field.h>
+#include <pcl/registration/kss/stopping.h>
 
 #include <cmath>
 #include <limits>
@@ -66,6 +67,7 @@ DistanceField::DistanceField(const Points& points, float cell, float margin)
   for (int round = 0; round < 2; ++round) {
     std::ptrdiff_t stride = 1; // from cell to cell along the axis
     for (int axis = 0; axis < 3; ++axis) {
+      throwIfStopped();
       const std::ptrdiff_t block = stride * size_[axis];
       for (std::ptrdiff_t begin = 0; begin < cells; begin += block) {
         for (std::ptrdiff_t i = begin + stride; i < begin + block; ++i)

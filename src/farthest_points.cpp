@@ -3,6 +3,7 @@
  */
 
 #include <pcl/registration/kss/farthest_points.h>
+#include <pcl/registration/kss/stopping.h>
 
 #include "cell_grid.h"
 #include "clouds.h"
@@ -89,6 +90,7 @@ inFarthestOrder(const Points& cloud, std::size_t most)
   (sorted.rowwise() - middle).rowwise().squaredNorm().minCoeff(&next);
   float gap = std::numeric_limits<float>::infinity();
   while (order.indices.size() < std::min(most, size)) {
+    throwIfStopped();
     order.indices.push_back(grid.order()[next]);
     order.gaps.push_back(gap);
     const Eigen::Vector3f sample = sorted.row(next);

@@ -53,6 +53,7 @@ struct Screening::Side {
     const ShiftLattice wanted(points, centers, limit);
     if (lattice && *lattice == wanted)
       return;
+    lattice.reset(); // in case that it fails
     sums->setField(points, wanted);
     lattice = wanted;
   }

@@ -3,6 +3,7 @@
  */
 
 #include <pcl/registration/kss/selection.h>
+#include <pcl/registration/kss/stopping.h>
 
 #include "median.h"
 #include "parallel.h"
@@ -81,6 +82,32 @@ std::vector<JudgedPose>
 Selection::best(const std::vector<Eigen::Matrix4d>& poses,
                 const std::function<void(double)>& done) const
 {
+  std::vector<Ranked> ranked;
+  for (const Eigen::Matrix4d& pose : poses)
+    ranked.push_back({pose, 0.0});
+  try {
+    refineMoreAndMore(ranked, done);
+  }
+  catch (const Stopped&) {
+    // the best so far have to do
+    ranked.resize(std::min(ranked.size(), most_alternatives));
+  }
+  std::vector<JudgedPose> judged;
+  for (const Ranked& candidate : ranked)
+    judged.push_back(
+        {candidate.pose, overlapAt(source_.all, target_.all, candidate.pose)});
+  std::stable_sort(judged.begin(), judged.end(),
+                   [](const JudgedPose& a, const JudgedPose& b) {
+                     return a.overlap.score > b.overlap.score;
+                   });
+  done(1.0);
+  return judged;
+}
+
+void
+Selection::refineMoreAndMore(std::vector<Ranked>& ranked,
+                             const std::function<void(double)>& done) const
+{
   const Refinement on_samples(source_.simplified.points, target_.simplified.points,
                               source_.all, target_.all, scales_);
   const double sample = 2.0 / std::sqrt(target_.simplified.points.cols());
@@ -107,8 +134,8 @@ Selection::best(const std::vector<Eigen::Matrix4d>& poses,
                 .score;
   };
 
-  auto ranked =
-      refined(poses, on_samples, {64, 6, far, near, false}, distance(64, 0.15), 0.15);
+  ranked = refined(first(ranked, ranked.size()), on_samples, {64, 6, far, near, false},
+                   distance(64, 0.15), 0.15);
   done(0.2);
   ranked = refined(first(ranked, 60), on_samples, {200, 8, near, nearer, false},
                    distance(200, std::max(0.1, nearer)), 0.12);
@@ -132,19 +159,8 @@ Selection::best(const std::vector<Eigen::Matrix4d>& poses,
   const Points target_probes = someOf(target_.all.points(), most_probes);
   const Refinement on_clouds(source_probes, target_probes, source_.all, target_.all,
                              scales_);
-  auto final =
-      refined(first(ranked, most_alternatives, hopeless), on_clouds,
-              {most_probes, 100, 4.0 * spacing, spacing, true}, misfit, same_pose);
-  std::vector<JudgedPose> judged;
-  for (const Ranked& candidate : final)
-    judged.push_back(
-        {candidate.pose, overlapAt(source_.all, target_.all, candidate.pose)});
-  std::stable_sort(judged.begin(), judged.end(),
-                   [](const JudgedPose& a, const JudgedPose& b) {
-                     return a.overlap.score > b.overlap.score;
-                   });
-  done(1.0);
-  return judged;
+  ranked = refined(first(ranked, most_alternatives, hopeless), on_clouds,
+                   {most_probes, 100, 4.0 * spacing, spacing, true}, misfit, same_pose);
 }
 
 template <typename Badness>

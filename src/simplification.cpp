@@ -3,6 +3,7 @@
  */
 
 #include <pcl/registration/kss/simplification.h>
+#include <pcl/registration/kss/stopping.h>
 
 #include "cell_grid.h"
 #include "clouds.h"
@@ -184,9 +185,12 @@ onePerCell(const Points& cloud, float edge, std::size_t expected, int stride)
   const Cells cells(cloud, edge);
   KeyTable table(expected);
   std::vector<int> kept;
-  for (int i = 0; i < cloud.cols(); i += stride)
+  for (int i = 0, n = 0; i < cloud.cols(); i += stride, ++n) {
+    if (n % (1 << 20) == 0)
+      throwIfStopped();
     if (table.add(keyOf(cells.of(cloud.col(i)))) == static_cast<int>(kept.size()))
       kept.push_back(i);
+  }
   return kept;
 }
 

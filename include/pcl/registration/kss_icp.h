@@ -8,7 +8,9 @@
 #include <pcl/registration/icp.h>
 #include <pcl/registration/kss/alignment.h>
 #include <pcl/registration/kss/confidence.h>
+#include <pcl/registration/kss/failure.h>
 #include <pcl/registration/kss/settings.h>
+#include <pcl/registration/kss/stopping.h>
 
 #include <functional>
 #include <limits>
@@ -402,7 +404,35 @@ public:
     return minimum_confidence_;
   }
 
-  /** \brief Set a function that is told how far align() has come; may be empty. */
+  /** \brief Set how long align() may take. It then ends with the best pose so far, not
+   * converged, within some two tenths of a second; only the tree that PCL builds of a
+   * new target is not interrupted (0.4 s for a million points). \param[in] seconds of
+   * wall time; 0 (default): as long as it takes
+   */
+  void
+  setTimeLimit(double seconds);
+
+  /** \brief Get how long align() may take, in seconds; 0: as long as it takes. */
+  double
+  getTimeLimit() const
+  {
+    return time_limit_;
+  }
+
+  /** \brief End the align() that is running, as if its time limit had passed: from
+   * another thread, or from a signal's handler. The next one is not affected.
+   */
+  void
+  cancel() noexcept
+  {
+    stop_.cancel();
+  }
+
+  /** \brief Set a function that is told how far align() has come; may be empty.
+   *
+   * What it throws, of whatever type, ends align(), which reports a failure; no pose is
+   * kept.
+   */
   void
   setProgressCallback(const kss::ProgressCallback& callback)
   {
@@ -477,7 +507,14 @@ public:
   const std::string&
   getFailureReason() const
   {
-    return failure_reason_;
+    return failure_.reason;
+  }
+
+  /** \brief Get what kind of reason that is. */
+  kss::FailureCause
+  getFailureCause() const
+  {
+    return failure_.cause;
   }
 
 protected:
@@ -554,17 +591,23 @@ private:
   Contender
   handOff(const PointCloudSourceConstPtr& source, const Contender& contender);
 
+  /** \brief Put the highest score first. */
+  static void
+  rank(std::vector<Contender>& contenders);
+
   /** \brief Hand off the best until the best has been handed off, and put it first. */
   void
   settle(const PointCloudSourceConstPtr& source, std::vector<Contender>& contenders);
 
-  /** \brief Take a contender as the result. */
+  /** \brief Take a contender as the result; one that has no run as it is. */
   void
   accept(const Contender& contender, const Indices& source_indices);
 
-  /** \brief Decide whether the result has converged, and if not, say why. */
+  /** \brief Decide whether the result has converged, and if not, say why.
+   * \param[in] stopped why the work came to no end; empty if it did
+   */
   void
-  judgeResult();
+  judgeResult(const std::string& stopped);
 
   /** \brief Tell the progress callback, if there is one. */
   void
@@ -572,17 +615,19 @@ private:
 
   /** \brief Say why there is no result, and leave the guess as the transformation. */
   void
-  giveUp(const Matrix4& guess, const std::string& reason);
+  giveUp(const Matrix4& guess, const kss::Failure& failure);
 
   kss::Settings settings_;
   std::unique_ptr<kss::Alignment> alignment_; ///< keeps what the next align() can use
   double minimum_confidence_ = 0.5;
+  double time_limit_ = 0.0;
+  kss::StopSignal stop_;
   bool source_is_output_ = false;
 
   kss::Alternatives alternatives_;
   std::vector<kss::StageSeconds> stage_seconds_;
   std::string device_name_;
-  std::string failure_reason_;
+  kss::Failure failure_;
 };
 
 } // namespace pcl

@@ -55,7 +55,8 @@ KSSICP<PointSource, PointTarget, Scalar>::setInputSource(
     return;
   }
   input_.reset();
-  giveUp(Matrix4::Identity(), "The source cloud is empty; set one that has points.");
+  giveUp(Matrix4::Identity(), {kss::FailureCause::INPUT,
+                               "The source cloud is empty; set one that has points."});
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -73,7 +74,8 @@ KSSICP<PointSource, PointTarget, Scalar>::setInputTarget(
     return;
   }
   target_.reset();
-  giveUp(Matrix4::Identity(), "The target cloud is empty; set one that has points.");
+  giveUp(Matrix4::Identity(), {kss::FailureCause::INPUT,
+                               "The target cloud is empty; set one that has points."});
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -88,18 +90,19 @@ void
 KSSICP<PointSource, PointTarget, Scalar>::align(PointCloudSource& output,
                                                 const Matrix4& guess)
 {
-  // An output that is the source itself must not change it before it has been read.
+  stop_.restart(time_limit_);
+  const kss::HeedingSignal heeding(&stop_);
   const PointCloudSourceConstPtr source = input_;
   const bool in_place = source.get() == &output;
-  if (in_place)
-    input_ = pcl::make_shared<PointCloudSource>(*source);
-
   try {
+    // An output that is the source itself must not change it before it has been read.
+    if (in_place)
+      input_ = pcl::make_shared<PointCloudSource>(*source);
     throwOnBadInput();
     Base::align(output, guess);
   }
-  catch (const std::exception& error) {
-    giveUp(guess, error.what());
+  catch (...) {
+    giveUp(guess, kss::failureOfException());
     copyIndexedSource(output);
     transformCloud(output, output, final_transformation_);
   }
@@ -149,11 +152,15 @@ void
 KSSICP<PointSource, PointTarget, Scalar>::computeTransformation(
     PointCloudSource& output, const Matrix4& guess)
 {
+  if (kss::heededSignal() != &stop_) // called by PCL's own align()
+    stop_.restart(time_limit_);
+  const kss::HeedingSignal heeding(&stop_);
   try {
     registerClouds(guess);
   }
-  catch (const std::exception& error) {
-    giveUp(guess, error.what());
+  catch (...) {
+    giveUp(guess, kss::failureOfException());
+    alignment_.reset(); // whatever it was in the midst of
   }
   // align() has filled the output with the (indexed) source
   transformCloud(output, output, final_transformation_);
@@ -163,7 +170,7 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 void
 KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
 {
-  failure_reason_.clear();
+  failure_ = {};
   const bool has_guess = guess != Matrix4::Identity();
   const Eigen::Matrix4d guessed = guess.template cast<double>();
   if (has_guess && !kss::isSimilarity(guessed))
@@ -184,11 +191,11 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
   else
     alignment_ = std::make_unique<kss::Alignment>(settings_);
   kss::Alignment& alignment = *alignment_;
-  device_name_ = alignment.deviceName();
   alignment.setClouds(kss::toLocalCloud(*input_, source_indices),
                       kss::toLocalCloud(*target_, target_indices),
                       has_guess ? kss::scaleOf(guessed) : 1.0);
   const kss::Alternatives found = alignment.align();
+  device_name_ = alignment.deviceName();
 
   // ICP on the clouds themselves
   report("hand-off", 0.0);
@@ -202,9 +209,18 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
   std::vector<Contender> contenders;
   for (const Alternative& alternative : found)
     contenders.push_back({alternative, {}});
-  if (has_guess)
-    contenders.push_back(handOff(source, {alignment.judge(guessed), {}}));
-  settle(source, contenders);
+  std::string stopped;
+  try {
+    if (has_guess) {
+      contenders.push_back({alignment.judge(guessed), {}});
+      contenders.back() = handOff(source, contenders.back());
+    }
+    settle(source, contenders);
+  }
+  catch (const kss::Stopped& stop) {
+    stopped = stop.what();
+    rank(contenders); // and the best so far has to do
+  }
   accept(contenders.front(), used);
   for (const Contender& contender : contenders)
     if (std::none_of(alternatives_.begin(), alternatives_.end(),
@@ -216,7 +232,17 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
   report("hand-off", 1.0);
   alignment.clock().lap("hand-off");
   stage_seconds_ = alignment.clock().stages();
-  judgeResult();
+  judgeResult(stopped);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::rank(std::vector<Contender>& contenders)
+{
+  std::stable_sort(contenders.begin(), contenders.end(),
+                   [](const Contender& a, const Contender& b) {
+                     return a.pose.overlap.score > b.pose.overlap.score;
+                   });
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -224,20 +250,14 @@ void
 KSSICP<PointSource, PointTarget, Scalar>::settle(const PointCloudSourceConstPtr& source,
                                                  std::vector<Contender>& contenders)
 {
-  const auto rank = [&] {
-    std::stable_sort(contenders.begin(), contenders.end(),
-                     [](const Contender& a, const Contender& b) {
-                       return a.pose.overlap.score > b.pose.overlap.score;
-                     });
-  };
-  rank();
+  rank(contenders);
   for (int runs = 0; runs < kss::most_hand_offs && !contenders.front().run; ++runs) {
     // where nothing fits, one run is enough to say so
     if (runs > 0 &&
         kss::confidenceOf(contenders.front().pose.overlap) < minimum_confidence_)
       break;
     contenders.front() = handOff(source, contenders.front());
-    rank();
+    rank(contenders);
   }
   const auto best =
       std::find_if(contenders.begin(), contenders.end(),
@@ -289,10 +309,18 @@ void
 KSSICP<PointSource, PointTarget, Scalar>::accept(const Contender& contender,
                                                  const Indices& source_indices)
 {
+  alternatives_.assign(1, contender.pose);
+  correspondences_->clear();
+  if (!contender.run) {
+    final_transformation_ = contender.pose.transformation.template cast<Scalar>();
+    return;
+  }
   const HandOff& run = *contender.run;
   if (run.correspondences.size() < this->min_number_correspondences_)
-    throw std::runtime_error("ICP found too few correspondences; relax the "
-                             "correspondence distance or the rejectors.");
+    throw kss::RegistrationError(
+        kss::FailureCause::UNSETTLED,
+        "The final ICP found too few correspondences; allow longer ones, or reject "
+        "fewer.");
   final_transformation_ = run.transformation;
   transformation_ = run.last_increment;
   previous_transformation_ = run.previous_increment;
@@ -301,25 +329,29 @@ KSSICP<PointSource, PointTarget, Scalar>::accept(const Contender& contender,
   *correspondences_ = run.correspondences;
   for (Correspondence& correspondence : *correspondences_)
     correspondence.index_query = source_indices[correspondence.index_query];
-  alternatives_.assign(1, contender.pose);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 void
-KSSICP<PointSource, PointTarget, Scalar>::judgeResult()
+KSSICP<PointSource, PointTarget, Scalar>::judgeResult(const std::string& stopped)
 {
-  if (!converged_)
-    failure_reason_ = "ICP still moved after " + std::to_string(nr_iterations_) +
-                      " iterations; allow more of them (setMaximumIterations).";
+  if (!stopped.empty())
+    failure_ = {kss::FailureCause::STOPPED,
+                stopped + "; the pose is the best one so far."};
+  else if (!converged_)
+    failure_ = {kss::FailureCause::UNSETTLED, "The final ICP still moved after " +
+                                                  std::to_string(nr_iterations_) +
+                                                  " iterations; allow more of them."};
   else if (getConfidence() < minimum_confidence_)
-    failure_reason_ = "The clouds do not fit: at the best pose " +
-                      kss::percent(getOverlap().source) + " of the source and " +
-                      kss::percent(getOverlap().target) +
-                      " of the target lie on the other cloud, too little or too "
-                      "loosely; do they show the same object?";
-  converged_ = failure_reason_.empty();
+    failure_ = {kss::FailureCause::NO_FIT,
+                "The clouds do not fit: at the best pose " +
+                    kss::percent(getOverlap().source) + " of the source and " +
+                    kss::percent(getOverlap().target) +
+                    " of the target lie on the other cloud, too little or too "
+                    "loosely; do they show the same object?"};
+  converged_ = failure_.cause == kss::FailureCause::NONE;
   if (!converged_)
-    PCL_WARN("[pcl::%s] %s\n", getClassName().c_str(), failure_reason_.c_str());
+    PCL_WARN("[pcl::%s] %s\n", getClassName().c_str(), failure_.reason.c_str());
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -333,10 +365,10 @@ KSSICP<PointSource, PointTarget, Scalar>::report(const char* stage, double done)
 template <typename PointSource, typename PointTarget, typename Scalar>
 void
 KSSICP<PointSource, PointTarget, Scalar>::giveUp(const Matrix4& guess,
-                                                 const std::string& reason)
+                                                 const kss::Failure& failure)
 {
-  PCL_ERROR("[pcl::%s] %s\n", getClassName().c_str(), reason.c_str());
-  failure_reason_ = reason;
+  PCL_ERROR("[pcl::%s] %s\n", getClassName().c_str(), failure.reason.c_str());
+  failure_ = failure;
   converged_ = false;
   final_transformation_ = kss::isSimilarity(guess.template cast<double>())
                               ? guess
@@ -495,6 +527,14 @@ KSSICP<PointSource, PointTarget, Scalar>::setScaleRange(double smallest, double 
     PCL_ERROR("[pcl::%s::setScaleRange] The smallest scale must be at least 0, and no "
               "more than the largest.\n",
               getClassName().c_str());
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::setTimeLimit(double seconds)
+{
+  set(time_limit_, seconds, seconds >= 0.0,
+      "setTimeLimit] The limit must be at least 0 seconds; 0 is none.");
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>

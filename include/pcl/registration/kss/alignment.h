@@ -26,7 +26,7 @@ namespace kss {
 /** \brief A pose that competes to be the result. */
 struct Alternative {
   /** \brief The similarity that maps the source onto the target. */
-  Eigen::Matrix4d transformation;
+  StoredPose transformation;
   /** \brief How much of the clouds lies on each other there. */
   Overlap overlap;
 };
@@ -70,7 +70,10 @@ public:
     settings_.progress = progress;
   }
 
-  /** \brief Search all candidates and refine the best. */
+  /** \brief Search all candidates and refine the best.
+   * \return at least one; as far as they have come where the work has been stopped
+   * \throws Stopped before any pose has been found
+   */
   Alternatives
   align();
 
@@ -105,6 +108,10 @@ private:
   toPreShapeSpace(const PreparedCloud& source,
                   const PreparedCloud& target,
                   double known_scale);
+
+  /** \brief Whether a pose makes the additional process of (e12) unnecessary. */
+  bool
+  isGoodEnough(const JudgedPose& judged, const Weights& weights);
 
   ScaleRange
   scaleRange() const;

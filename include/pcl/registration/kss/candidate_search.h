@@ -38,9 +38,12 @@ public:
   setClouds(const Points& source, const Points& target);
 
   /** \brief The distinct local minima of all energies of the mode; (c_init, O_init),
-   * the lowest of all, comes first. \param[in] scales what to consider \param[in]
-   * metric tells which poses are distinct \param[in] done told the share of the work
-   * that is done
+   * the lowest of all, comes first.
+   * \param[in] scales what to consider
+   * \param[in] metric tells which poses are distinct
+   * \param[in] done told the share of the work that is done
+   * \return at least one; those of the first sweeps where the rest has been stopped
+   * \throws Stopped before there are any
    */
   std::vector<Minimum>
   localMinima(const ScaleRange& scales,
@@ -56,6 +59,12 @@ public:
   deviceName() const;
 
 private:
+  /** \brief The minima of one sweep. */
+  std::vector<Minimum>
+  minimaOf(const Sweep& sweep,
+           const PoseMetric& metric,
+           const std::function<void(double)>& done);
+
   /** \brief Minima among the candidates that screening finds. */
   std::vector<Minimum>
   screened(const Sweep& sweep, const PoseMetric& metric);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/registration/default_convergence_criteria.h>
+#include <pcl/registration/kss/stopping.h>
 
 namespace pcl {
 namespace kss {
@@ -34,6 +35,7 @@ public:
   bool
   hasConverged() override
   {
+    throwIfStopped();
     if (this->iterations_ <= 1)
       this->correspondences_prev_mse_ = std::numeric_limits<double>::max();
     if (Base::hasConverged())

@@ -27,7 +27,7 @@ struct Shape {
  * there.
  */
 struct JudgedPose {
-  Eigen::Matrix4d pose;
+  StoredPose pose;
   Overlap overlap;
 };
 
@@ -55,8 +55,9 @@ public:
             unsigned int threads);
 
   /** \brief The distinct poses that refinement leads to, by falling score; five at
-   * most. \param[in] poses at least one \param[in] done told the share of the work that
-   * is done
+   * most. Where the work is stopped, as far as they have come.
+   * \param[in] poses at least one
+   * \param[in] done told the share of the work that is done
    */
   std::vector<JudgedPose>
   best(const std::vector<Eigen::Matrix4d>& poses,
@@ -67,9 +68,17 @@ private:
 
   /** \brief A pose and how bad it is. */
   struct Ranked {
-    Eigen::Matrix4d pose;
+    StoredPose pose;
     double badness;
   };
+
+  /** \brief Refine poses, fewer and fewer of them with more and more points.
+   * \param[in,out] ranked the best so far first, after each step
+   * \throws Stopped
+   */
+  void
+  refineMoreAndMore(std::vector<Ranked>& ranked,
+                    const std::function<void(double)>& done) const;
 
   /** \brief The poses refined, by rising badness; of those closer together than \a
    * distinct one is kept. */

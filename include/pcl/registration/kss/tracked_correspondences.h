@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/registration/correspondence_estimation.h>
+#include <pcl/registration/kss/stopping.h>
 
 #include <cmath>
 #include <vector>
@@ -52,6 +53,8 @@ public:
     correspondences.clear();
     correspondences.reserve(found_.size());
     for (std::size_t i = 0; i < found_.size(); ++i) {
+      if (i % 4096 == 0)
+        throwIfStopped();
       const index_t query = (*this->indices_)[i];
       const float squared = update(found_[i], (*this->input_)[query]);
       if (squared <= most)
