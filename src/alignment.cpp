@@ -42,6 +42,8 @@ Alignment::Alignment(const Settings& settings)
 {
 }
 
+Alignment::~Alignment() = default;
+
 void
 Alignment::setClouds(const LocalCloud& source,
                      const LocalCloud& target,

@@ -7,7 +7,12 @@
 #include <cmath>
 #include <iostream>
 
-/** Registers a helix that widens with a turned, scaled copy of it. */
+static_assert(alignof(pcl::kss::Alternative) <= alignof(double) &&
+                  alignof(pcl::kss::Alignment) <= alignof(double),
+              "what passes between the library and a program, whatever its vectors");
+
+/** Registers a helix that widens with a turned, scaled copy of it, twice: what is kept
+ * from the first time is freed in the end. */
 int
 main()
 {
@@ -19,14 +24,23 @@ main()
     source->push_back(point);
     target->push_back({3.0f - 2.0f * point.y, 2.0f * point.x, 2.0f * point.z});
   }
-  pcl::KSSICP<pcl::PointXYZ, pcl::PointXYZ> registration;
+  pcl::KSSICP<pcl::PointXYZ, pcl::PointXYZ, double> registration;
   registration.setNumberOfSamplePoints(150);
   registration.setInputSource(source);
   registration.setInputTarget(target);
   pcl::PointCloud<pcl::PointXYZ> aligned;
   registration.align(aligned);
+  registration.align(aligned);
   std::cout << registration.getFinalTransformation() << '\n'
             << registration.getFailureReason() << '\n';
+  // what the library has filled in is where the program looks for it
+  const auto& alternatives = registration.getAlternatives();
+  for (const auto& alternative : alternatives)
+    if (!(alternative.overlap.score >= 0.0 && alternative.overlap.score <= 2.0))
+      return 1;
+  if (alternatives.empty() ||
+      alternatives.front().transformation != registration.getFinalTransformation())
+    return 1;
   return registration.hasConverged() && std::abs(registration.getScale() - 2.0) < 0.05
              ? 0
              : 1;

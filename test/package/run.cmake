@@ -12,9 +12,24 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix --config ${CONFIG})
-run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build
-  -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_BUILD_TYPE=${CONFIG})
-run(${CMAKE_COMMAND} --build ${WORK}/build --config ${CONFIG})
-find_program(consumer consumer
-  PATHS ${WORK}/build ${WORK}/build/${CONFIG} NO_DEFAULT_PATH REQUIRED)
-run(${consumer})
+
+# A program may be compiled for other vectors than the library.
+set(vectors "")
+file(READ /proc/cpuinfo processor)
+if(processor MATCHES " avx2 ")
+  list(APPEND vectors -mavx2)
+endif()
+if(processor MATCHES " avx512f ")
+  list(APPEND vectors -march=native)
+endif()
+foreach(flag "" ${vectors})
+  set(build ${WORK}/build${flag})
+  run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${build}
+    -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_BUILD_TYPE=${CONFIG}
+    -DCMAKE_CXX_FLAGS=${flag})
+  run(${CMAKE_COMMAND} --build ${build} --config ${CONFIG})
+  unset(consumer CACHE)
+  find_program(consumer consumer
+    PATHS ${build} ${build}/${CONFIG} NO_DEFAULT_PATH REQUIRED)
+  run(${consumer})
+endforeach()

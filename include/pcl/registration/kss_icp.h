@@ -634,7 +634,10 @@ private:
 
 #include <pcl/registration/impl/kss_icp.hpp>
 
-#ifndef PCL_NO_PRECOMPILE
+// A program compiled for wider vectors lays out PCL's classes otherwise than the
+// library does, and compiles what it needs itself.
+#if !defined PCL_NO_PRECOMPILE &&                                                      \
+    EIGEN_MAX_STATIC_ALIGN_BYTES == PCL_KSS_ICP_COMPILED_ALIGNMENT
 #define PCL_KSS_ICP_COMPILED(PointT)                                                   \
   extern template class pcl::KSSICP<PointT, PointT, float>;                            \
   extern template class pcl::KSSICP<PointT, PointT, double>;

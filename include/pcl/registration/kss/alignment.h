@@ -45,6 +45,10 @@ public:
    */
   explicit Alignment(const Settings& settings);
 
+  // in the library, which has allocated what is in here: a program compiled for other
+  // vectors would free it otherwise
+  ~Alignment();
+
   /** \brief Set the two clouds: cleans and simplifies them and maps them to pre-shape
    * space. What a cloud that has not changed since the last call needs is kept.
    * \param[in] source cloud to be placed

@@ -20,7 +20,7 @@ namespace kss {
 
 /** \brief A local minimum of an energy: a pose between the pre-shapes. */
 struct Minimum {
-  Eigen::Matrix4d pose;
+  StoredPose pose;
   float energy;
   Weights weights;
 };
