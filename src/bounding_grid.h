@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <pcl/registration/kss/grid_index.h>
 #include <pcl/registration/kss/points.h>
 
 #include <algorithm>
@@ -56,9 +57,11 @@ gridOver(const Eigen::Array3f& lower,
   grid.edge = extent.maxCoeff() > 0.0f ? extent.maxCoeff() / 256.0f : 1.0f;
   for (;; grid.edge *= 1.04f) {
     // a little more, for rounding
-    grid.size = (extent / grid.edge + 0.02f).ceil().cast<int>() + 3;
+    grid.size = toIndices(Eigen::Array3f((extent / grid.edge + 0.02f).ceil()),
+                          Eigen::Array3i::Constant(1 << 20)) +
+                3;
     grid.size.x() = (grid.size.x() + 7) / 8 * 8;
-    if (grid.size.cast<double>().prod() <= std::max<std::size_t>(nodes, 8 * 4 * 4))
+    if (numberOfCells(grid.size) <= std::max<std::size_t>(nodes, 8 * 4 * 4))
       break;
   }
   grid.lower = lower - 1.01f * grid.edge;

@@ -77,7 +77,7 @@ private:
   {
     const Eigen::MatrixX3f points = cloud.transpose();
     const Eigen::Vector3i size = grid.size;
-    std::vector<int> nearest(size.prod());
+    std::vector<int> nearest(numberOfCells(size));
     inParallel(size.y() * size.z(), threads_, 32, [&](std::ptrdiff_t row) {
       for (int x = 0; x < size.x(); x += lanes) {
         const Eigen::Vector3f node =
@@ -92,8 +92,8 @@ private:
 
     Cells& cells = is_source ? source_cells_ : target_cells_;
     cells.grid = grid;
-    cells.cells.resize((size.array() - 1).prod());
-    cells.nodes.resize(size.prod());
+    cells.cells.resize(numberOfCells(size.array() - 1));
+    cells.nodes.resize(numberOfCells(size));
     const auto nodeAt = [&](int x, int y, int z) {
       return (z * size.y() + y) * size.x() + x;
     };
@@ -209,12 +209,12 @@ private:
     rows.col(3) -= grid.lower * inverse;
     limit *= inverse;
     scale *= inverse;
-    const Eigen::Array3f last = grid.size.cast<float>().array() - 2.0f;
+    const Eigen::Array3i last = grid.size.array() - 2;
     double least_sum = 0.0, most_sum = 0.0;
     for (Eigen::Index i = 0; i < probes.rows(); ++i) {
       const Eigen::Vector3f p =
           rows * probes.row(i).head<3>().transpose().homogeneous();
-      const Eigen::Array3i at = p.array().max(0.0f).min(last).cast<int>();
+      const Eigen::Array3i at = toIndices(p, last);
       const Cell& cell =
           cells.cells[(at.z() * (grid.size.y() - 1) + at.y()) * (grid.size.x() - 1) +
                       at.x()];

@@ -3,6 +3,7 @@
  */
 
 #include <pcl/registration/kss/candidate_centers.h>
+#include <pcl/registration/kss/grid_index.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -74,15 +75,15 @@ spreadCenters(const Points& cloud, double reach, double step)
   const Eigen::Matrix3d scatter = points * points.transpose() / points.cols();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
   const Eigen::Array3d radius = reach * solver.eigenvalues().array().max(0.0).sqrt();
-  Eigen::Array3i n;
+  Eigen::Array3d half;
   for (;; step *= 1.1) {
     // rounding aside, and a flat cloud is thin, not a box
-    n = (radius < 0.05 * step)
-            .select(0, (radius / step - 1e-3).ceil().max(0.0))
-            .cast<int>();
-    if ((2 * n + 1).cast<double>().prod() <= most_centers)
+    half = (radius < 0.05 * step).select(0, (radius / step - 1e-3).ceil().max(0.0));
+    if ((2.0 * half + 1.0).prod() <= most_centers)
       break;
   }
+  const Eigen::Array3i n =
+      toIndices(half, Eigen::Array3i::Constant(static_cast<int>(most_centers)));
   const Eigen::Array3d steps = radius / n.max(1).cast<double>();
   return grid(solver.eigenvectors(), steps, n);
 }

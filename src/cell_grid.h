@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <pcl/registration/kss/grid_index.h>
 #include <pcl/registration/kss/points.h>
 
 #include <cstdint>
@@ -29,7 +30,8 @@ keyOf(const Cell& cell)
  */
 class Cells {
 public:
-  /** \brief The most cells along an axis: they have 21 bits. */
+  /** \brief The most cells along an axis: they have 21 bits. Those beyond fall
+   * together. */
   static constexpr int most = 1 << 20;
 
   Cells(const Points& cloud, float edge)
@@ -41,7 +43,8 @@ public:
   Cell
   of(const Eigen::Vector3f& point) const
   {
-    return ((point - lower_) / edge_).cast<int>().array() + 2;
+    return toIndices(Eigen::Vector3f((point - lower_) / edge_), Cell::Constant(most)) +
+           2;
   }
 
   /** \brief The lower corner of a cell. */

@@ -26,12 +26,12 @@ DistanceField::DistanceField(const Points& points, float cell, float margin)
   for (;; cell *= 1.25f) {
     const Eigen::Array3d cells = (extent.cast<double>() / cell).array().floor() + 1.0;
     if (cells.prod() <= most_cells) {
-      size_ = cells.cast<int>();
+      size_ = toIndices(cells, Eigen::Array3i::Constant(static_cast<int>(most_cells)));
       break;
     }
   }
   inverse_edge_ = 1.0f / cell;
-  nearest_.assign(static_cast<std::size_t>(size_.x()) * size_.y() * size_.z(), -1);
+  nearest_.assign(numberOfCells(size_), -1);
   distances_.assign(nearest_.size(), std::numeric_limits<float>::max());
 
   // Squared distances first. Every cell that holds a point knows it; then each cell

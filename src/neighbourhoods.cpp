@@ -214,8 +214,8 @@ neighbourhoodsOf(const Points& points, int neighbours, unsigned int threads)
         const float reach = (rings - 1e-3f) * edge - rounding +
                             std::min(inside.minCoeff(), edge - inside.maxCoeff());
         measure(around, point.x(), point.y(), point.z());
-        const float radius =
-            all ? std::numeric_limits<float>::max() : std::max(0.0f, reach) * reach;
+        const float radius = all ? std::numeric_limits<float>::infinity()
+                                 : std::max(0.0f, reach) * reach;
         if (!nearest.find(i, k, radius, around, found.indices.col(i),
                           found.distances.col(i)))
           still_open.push_back(i);

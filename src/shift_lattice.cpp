@@ -4,8 +4,11 @@
 
 #include "shift_lattice.h"
 
+#include <pcl/registration/kss/grid_index.h>
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace pcl {
 namespace kss {
@@ -20,6 +23,9 @@ constexpr double widest_step = 0.35;
 
 /** Nodes along a cloud that is much larger than the other, where that takes fewer. */
 constexpr float most_steps = 100.0f;
+
+/** Nodes from centre to centre that are not too many already. */
+constexpr int most_every = 1000;
 
 int
 roundedUp(int value, int multiple)
@@ -38,22 +44,30 @@ ShiftLattice::ShiftLattice(const Points& cloud,
   const Points points = turned(cloud);
   const Eigen::Array3f extent =
       points.rowwise().maxCoeff() - points.rowwise().minCoeff();
-  const double widest =
-      std::max<double>(widest_step * limit, extent.maxCoeff() / most_steps);
-  for (int axis = 0; axis < 3; ++axis) {
-    // one centre has no others that nodes had to fall on
-    const double spacing = centers.steps[axis] > 1 ? centers.spacing[axis] : widest;
-    every_[axis] = std::max(1, static_cast<int>(std::ceil(spacing / widest)));
-    step_[axis] = static_cast<float>(spacing / every_[axis]);
-  }
   const Eigen::Array3i counts(centers.steps[0], centers.steps[1], centers.steps[2]);
-  width_ = every_ * (counts - 1);
-  inner_ = ((extent + 2.0f * limit) / step_).ceil().cast<int>();
+  const auto most = Eigen::Array3i::Constant(most_nodes);
+  double widest = std::max<double>(widest_step * limit, extent.maxCoeff() / most_steps);
+  for (;; widest *= 1.1) {
+    for (int axis = 0; axis < 3; ++axis) {
+      // one centre has no others that nodes had to fall on
+      const double spacing = centers.steps[axis] > 1 ? centers.spacing[axis] : widest;
+      every_[axis] = std::max(1, toIndex(std::ceil(spacing / widest), most_every));
+      step_[axis] = static_cast<float>(spacing / every_[axis]);
+    }
+    width_ = every_ * (counts - 1);
+    inner_ = toIndices(Eigen::Array3f(((extent + 2.0f * limit) / step_).ceil()), most);
+    inner_[2] = roundedUp(inner_[2], vector);
+    // all centres fit beside the inner nodes: what falls there lies beyond the limit
+    all_ = inner_ + 2 * (width_ + 1);
+    size_ = (all_ + every_ - 1) / every_;
+    if ((every_ * size_).cast<double>().prod() <= most_nodes)
+      break;
+    // nodes that are as far apart as the centres
+    if (every_.maxCoeff() == 1 && widest > extent.maxCoeff())
+      throw std::invalid_argument("The clouds are too different in size to be searched "
+                                  "for each other.");
+  }
   lower_ = points.rowwise().minCoeff().array() - limit + 0.5f * step_;
-  inner_[2] = roundedUp(inner_[2], vector);
-  // all centres fit beside the inner nodes: what falls there lies beyond the limit
-  all_ = inner_ + 2 * (width_ + 1);
-  size_ = (all_ + every_ - 1) / every_;
 
   for (int x = 0; x < counts[0]; ++x)
     for (int y = 0; y < counts[1]; ++y)
@@ -70,7 +84,8 @@ ShiftLattice::bytes(const std::vector<float>& distances) const
 {
   constexpr float most = 255.0f;
   // the last row of 16 may reach beyond the end
-  std::vector<std::uint8_t> bytes(every_.prod() * size_.prod() + lanes,
+  const std::size_t array_size = numberOfCells(size_);
+  std::vector<std::uint8_t> bytes(numberOfCells(every_) * array_size + lanes,
                                   static_cast<std::uint8_t>(most));
   const Eigen::Array3i shift = width_ + 1;
   std::size_t node = 0;
@@ -81,7 +96,7 @@ ShiftLattice::bytes(const std::vector<float>& distances) const
         const Eigen::Array3i part = at / every_;
         const Eigen::Array3i rest = at - part * every_;
         const std::size_t array = (rest[0] * every_[1] + rest[1]) * every_[2] + rest[2];
-        bytes[array * size_.prod() + (part[0] * size_[1] + part[1]) * size_[2] +
+        bytes[array * array_size + (part[0] * size_[1] + part[1]) * size_[2] +
               part[2]] =
             static_cast<std::uint8_t>(
                 std::lround(most / limit_ * std::min(distances[node], limit_)));

@@ -16,12 +16,20 @@ namespace kss {
 
 /** \brief The nodes of a distance field that candidate centres fall on, in the order
  * that shift_sums.cl asks for.
+ *
+ * They are \ref most_nodes at most, a byte each: where one cloud is so much larger than
+ * the other that its centres reach far beyond the other, they lie farther apart.
  */
 class ShiftLattice {
 public:
+  /** \brief Enough for the widest lattice that nodes as close as the limit asks for can
+   * be worth. */
+  static constexpr int most_nodes = 1 << 26;
+
   /** \param[in] cloud what the distances are to
    * \param[in] centers a grid around the origin
    * \param[in] limit what a distance counts at most
+   * \throws std::invalid_argument where centres alone are more than the nodes
    */
   ShiftLattice(const Points& cloud, const CandidateCenters& centers, float limit);
 

@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
+#include <pcl/registration/kss/grid_index.h>
+
 #include "parallel.h"
 #include "shift_sums.h"
 #include "wide_vectors.h"
@@ -72,7 +74,7 @@ public:
   {
     const Points points = lattice.turned(cloud);
     const Eigen::Array3i& inner = lattice.inner();
-    std::vector<float> distances(inner.prod());
+    std::vector<float> distances(numberOfCells(inner));
     inParallel(inner[0] * inner[1], threads_, 32, [&](std::ptrdiff_t row) {
       const Eigen::Array3f node(row / inner[1], row % inner[1], 0.0f);
       nodeDistances(points, lattice.lower() + node * lattice.step(), lattice.step()[2],
@@ -83,6 +85,7 @@ public:
     last_ = lattice.last();
     every_ = lattice.every();
     size_ = lattice.size();
+    array_ = static_cast<std::uint32_t>(numberOfCells(size_));
   }
 
   std::vector<std::uint16_t>
@@ -105,11 +108,10 @@ private:
   std::uint32_t
   firstOf(const Eigen::Vector3f& node) const
   {
-    const Eigen::Array3i at =
-        node.array().max(0.0f).min(last_.cast<float>()).cast<int>();
+    const Eigen::Array3i at = toIndices(node, last_);
     const Eigen::Array3i part = at / every_;
     const Eigen::Array3i rest = at - part * every_;
-    return ((rest[0] * every_[1] + rest[1]) * every_[2] + rest[2]) * size_.prod() +
+    return ((rest[0] * every_[1] + rest[1]) * every_[2] + rest[2]) * array_ +
            (part[0] * size_[1] + part[1]) * size_[2] + part[2];
   }
 
@@ -117,6 +119,7 @@ private:
   std::vector<std::uint8_t> field_;
   std::vector<std::uint32_t> rows_;
   Eigen::Array3i last_, every_, size_;
+  std::uint32_t array_ = 0; ///< nodes of an array
 };
 
 } // namespace

@@ -58,8 +58,8 @@ TEST(Neighbourhoods, AreTheNearestOthers)
   }
 }
 
-/** The neighbourhoods are those of brute force, distance by distance; which points, where
- * several are equally far, is free. */
+/** The neighbourhoods are those of brute force, distance by distance; which points,
+ * where several are equally far, is free. */
 void
 expectNearest(const Points& points, int neighbours)
 {
@@ -128,13 +128,26 @@ TEST(Neighbourhoods, AreThoseOfBruteForceInTinyClouds)
   expectNearest(withCopies(scattered(5, 38), 3), 12);
 }
 
+TEST(Neighbourhoods, AreFoundWhateverTheirDistances)
+{
+  // squares that are infinite, or nothing
+  for (const float size : {1e-45f, 1e-38f, 1e-30f, 1e15f, 1e20f, 1e30f, 3e38f}) {
+    Points points = 1e-4f * size * scattered(300, 39);
+    points.rightCols<3>() *= 1e4f; // nothing in the cells around them
+    const Neighbourhoods found = neighbourhoodsOf(points, 12, 1);
+    EXPECT_GE(found.indices.minCoeff(), 0);
+    EXPECT_LT(found.indices.maxCoeff(), 300);
+  }
+}
+
 TEST(Neighbourhoods, AreThoseOfBruteForceNearStrayPoints)
 {
   for (const float distance : {1e1f, 1e2f, 1e3f, 1e4f, 1e5f, 1e6f})
     for (const Eigen::Vector3f& direction :
          {Eigen::Vector3f(1, 1, 1), Eigen::Vector3f(-1, -1, -1),
           Eigen::Vector3f(-1, 0, 0), Eigen::Vector3f(0, 1, -1)}) {
-      SCOPED_TRACE(::testing::Message() << distance << " along " << direction.transpose());
+      SCOPED_TRACE(::testing::Message()
+                   << distance << " along " << direction.transpose());
       Points points = sampled(creature(), 1500, 39);
       points.col(17) = distance * direction;
       expectNearest(points, 12);
@@ -391,8 +404,7 @@ TEST(NearestPoints, KnowHowNearTheSecondIs)
       const int found = search.nearest(position, squared, second);
       EXPECT_EQ(found, search.nearest(position, alone));
       EXPECT_EQ(squared, alone);
-      Eigen::RowVectorXf others =
-          (points.colwise() - position).colwise().squaredNorm();
+      Eigen::RowVectorXf others = (points.colwise() - position).colwise().squaredNorm();
       EXPECT_FLOAT_EQ(others[found], squared);
       others[found] = std::numeric_limits<float>::max();
       // that of a point, and of another one
@@ -422,7 +434,8 @@ TEST(NearestPoints, AreTheSameForPointsThatKnowTheirNeighbours)
         Surface{points, neighbourhoodsOf(points, neighbours, 1)});
     EXPECT_EQ(reference.spacing(), search.spacing());
     for (int i = 0; i < 500; ++i) {
-      const Eigen::Vector3f position = points.col(i) + Eigen::Vector3f(0.02f, 0, -0.03f);
+      const Eigen::Vector3f position =
+          points.col(i) + Eigen::Vector3f(0.02f, 0, -0.03f);
       float expected, found;
       EXPECT_EQ(reference.nearest(position, expected), search.nearest(position, found));
       EXPECT_EQ(expected, found);

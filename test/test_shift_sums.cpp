@@ -138,14 +138,13 @@ TEST_P(Sums, AreAsRightAsACellIsSmall)
       const auto linear = turns(5, 3);
       const auto found = sumsOf(*sums, lattice, probes, linear);
       // half a diagonal of a cell, and rounding to bytes
-      const double rough =
-          0.5 * lattice.step().matrix().norm() * 255.0 / limit + 0.51;
+      const double rough = 0.5 * lattice.step().matrix().norm() * 255.0 / limit + 0.51;
       double bias = 0.0;
       std::size_t number = 0;
       for (std::size_t t = 0; t < linear.size(); ++t)
         for (std::size_t c = 0; c < centers.centers.size(); ++c, ++number) {
-          const Points placed = (linear[t] * probes).colwise() +
-                                centers.centers[c].cast<float>().eval();
+          const Points placed =
+              (linear[t] * probes).colwise() + centers.centers[c].cast<float>().eval();
           double expected = 0.0;
           for (Eigen::Index p = 0; p < placed.cols(); ++p)
             expected += counted(cloud, placed.col(p), limit);
@@ -174,19 +173,19 @@ TEST_P(Sums, AreThoseOfTheNearestNodes)
         for (Eigen::Index p = 0; p < probes.cols(); ++p) {
           const Eigen::Vector3d placed =
               (linear[t] * probes.col(p)).cast<double>() + centers.centers[c];
-          const Eigen::Array3d node =
-              (((centers.axes.transpose() * placed).array() -
-                lattice.lower().cast<double>()) /
-               lattice.step().cast<double>())
-                  .round();
+          const Eigen::Array3d node = (((centers.axes.transpose() * placed).array() -
+                                        lattice.lower().cast<double>()) /
+                                       lattice.step().cast<double>())
+                                          .round();
           const bool is_inner =
               (node >= 0.0).all() && (node < lattice.inner().cast<double>()).all();
           const Eigen::Vector3d nearest =
-              centers.axes * (lattice.lower().cast<double>() +
-                              node * lattice.step().cast<double>())
-                                 .matrix();
-          expected +=
-              is_inner ? std::lround(counted(cloud, nearest.cast<float>(), limit)) : 255;
+              centers.axes *
+              (lattice.lower().cast<double>() + node * lattice.step().cast<double>())
+                  .matrix();
+          expected += is_inner
+                          ? std::lround(counted(cloud, nearest.cast<float>(), limit))
+                          : 255;
         }
         different += expected != found[t][c];
         // on the border of two cells rounding decides
@@ -226,8 +225,8 @@ TEST_P(Sums, AreRightForAnyNumberOfPointsAndPlacements)
     const Points probes = shape(200, 13).leftCols(points);
     const auto all = sumsOf(*sums, lattice, probes, linear);
     for (const std::size_t number : {1u, 2u, 63u, 64u, 65u}) {
-      const auto some = sumsOf(*sums, lattice, probes,
-                               {linear.begin(), linear.begin() + number});
+      const auto some =
+          sumsOf(*sums, lattice, probes, {linear.begin(), linear.begin() + number});
       for (std::size_t t = 0; t < number; ++t)
         ASSERT_EQ(all[t], some[t]);
     }
@@ -313,6 +312,52 @@ TEST(ShiftLattice, IsNotLargeForFlatClouds)
     const ShiftLattice lattice(cloud, spreadCenters(cloud, 1.6, 0.3), 0.35f);
     EXPECT_LT(lattice.inner().cast<double>().prod(), 50000.0);
   }
+}
+
+TEST(ShiftLattice, IsBoundedWhereOneCloudIsMuchLargerThanTheOther)
+{
+  const Points cloud = shape(500, 30);
+  const float limit = 0.35f;
+  for (const double ratio : {1.0, 10.0, 40.0, 100.0, 400.0, 600.0, 1e3, 1e6, 1e12})
+    for (const bool is_large : {false, true}) {
+      const Points points = cloud * static_cast<float>(is_large ? ratio : 1.0);
+      const CandidateCenters centers = spreadCenters(points, 1.6 * ratio, 0.3);
+      EXPECT_LE(centers.centers.size(), 10000);
+      const ShiftLattice lattice(points, centers, limit);
+      const double nodes = (lattice.every() * lattice.size()).cast<double>().prod();
+      EXPECT_LE(nodes, ShiftLattice::most_nodes) << ratio;
+      const auto row = std::max_element(lattice.rows().begin(), lattice.rows().end());
+      EXPECT_LT(*row, ShiftLattice::most_nodes);
+      // each centre is a whole number of nodes from the next
+      for (int axis = 0; axis < 3; ++axis)
+        if (centers.steps[axis] > 1)
+          EXPECT_NEAR(centers.spacing[axis] / lattice.every()[axis],
+                      lattice.step()[axis], 1e-6 * lattice.step()[axis]);
+    }
+}
+
+TEST(ShiftLattice, HasBytesForAllItsNodes)
+{
+  const Points cloud = shape(100, 31);
+  const CandidateCenters centers = spreadCenters(cloud, 1.6 * 30.0, 0.3);
+  const ShiftLattice lattice(cloud, centers, 0.35f);
+  const auto sums = makeHostShiftSums(1);
+  sums->setField(cloud, lattice);
+  const auto found = sums->sums(
+      cloud, {lattice.toNodes(Eigen::Matrix3f::Identity()),
+              lattice.toNodes(Eigen::Matrix3f::Constant(std::nanf(""))),
+              lattice.toNodes(Eigen::Matrix3f(1e30f * Eigen::Matrix3f::Identity()))});
+  // the centre of all is where the cloud lies on itself
+  const std::size_t middle = lattice.places()[centers.centers.size() / 2];
+  EXPECT_LT(found[middle], 255 * cloud.cols() / 2);
+}
+
+TEST(ShiftLattice, RefusesCentersThatAreMoreThanItsNodes)
+{
+  Points cloud = shape(100, 32);
+  cloud.col(0) *= 1e6f;
+  EXPECT_THROW(ShiftLattice(cloud, gridOf({1, 1, 1}, {1e-3, 1e-3, 1e-3}, 8), 0.35f),
+               std::invalid_argument);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <pcl/registration/kss/grid_index.h>
 #include <pcl/registration/kss/points.h>
 
 #include <vector>
@@ -27,9 +28,8 @@ public:
   std::size_t
   cellOf(const Eigen::Vector3f& position) const
   {
-    const Eigen::Array3f cell = ((position - lower_) * inverse_edge_).array();
-    const Eigen::Array3i inside =
-        cell.max(0.0f).min(size_.array().cast<float>() - 1.0f).cast<int>();
+    const Eigen::Vector3f cell = (position - lower_) * inverse_edge_;
+    const Eigen::Array3i inside = toIndices(cell, size_.array() - 1);
     return (static_cast<std::size_t>(inside.z()) * size_.y() + inside.y()) * size_.x() +
            inside.x();
   }
