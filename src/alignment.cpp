@@ -3,6 +3,7 @@
  */
 
 #include <pcl/registration/kss/alignment.h>
+#include <pcl/registration/kss/naming.h>
 #include <pcl/registration/kss/stopping.h>
 
 #include "clouds.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace pcl {
 namespace kss {
@@ -20,18 +20,12 @@ namespace {
 /** How far the size of a part can be from that of the whole. */
 constexpr double smallest_part = 0.35;
 
-/** A cloud's error with the cloud's name before it. */
-template <typename Work>
-auto
-naming(const char* cloud, const Work& work)
+/** What tells whether a cloud determines a pose. */
+CloudSize
+sizeOf(const PreparedCloud& cloud, const PreShape& shape)
 {
-  try {
-    return work();
-  }
-  catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(std::string("The ") + cloud +
-                                " cloud determines no pose: " + error.what() + ".");
-  }
+  return {longestEdge(cloud.surface.points), shape.size,
+          median(spacingOf(cloud.surface.neighbourhoods))};
 }
 
 } // namespace
@@ -87,6 +81,14 @@ Alignment::toPreShapeSpace(const PreparedCloud& source,
   const PreShape small_target = naming("target", [&, &points = few_target] {
     return toPreShape({points, target.input.origin});
   });
+  const double scale =
+      settings_.estimate_scale
+          ? ScaleRange{settings_.smallest_scale, settings_.largest_scale}.clamp(
+                small_target.size / small_source.size)
+          : known_scale;
+  source_size_ = sizeOf(source, small_source);
+  target_size_ = sizeOf(target, small_target);
+  throwIfUndetermined(scale);
   if (!settings_.estimate_scale)
     small_source = withSize(small_source, small_target.size / known_scale);
   search_.setClouds(small_source.points, small_target.points);
@@ -165,9 +167,18 @@ Alignment::scaleRange() const
   return range.smallest <= range.largest ? range : asked;
 }
 
+void
+Alignment::throwIfUndetermined(double scale) const
+{
+  kss::throwIfUndetermined(source_size_, target_size_, scale);
+}
+
 Alternative
 Alignment::judge(const Eigen::Matrix4d& transformation) const
 {
+  if (!isSimilarity(transformation) ||
+      !isDetermined(source_size_, target_size_, scaleOf(transformation)))
+    return {transformation, {}};
   return {transformation, overlapAt(source_->all, target_->all,
                                     toPreShapePose(transformation, source_->simplified,
                                                    target_->simplified))};

@@ -12,10 +12,6 @@ namespace pcl {
 namespace kss {
 namespace {
 
-/** In spacings: of random points on a surface, one in a thousand has no point of
- * another such sampling within this distance. */
-constexpr float covered = 1.5f;
-
 struct Share {
   double covered = 0.0, closeness = 0.0;
 };

@@ -81,8 +81,12 @@ bool
 isSimilarity(const Eigen::Matrix4d& matrix)
 {
   const Eigen::RowVector4d last_row(0.0, 0.0, 0.0, 1.0);
+  // between clouds of any two sizes that are taken
+  constexpr double most_scale = 1e25, farthest = 1e30;
   const double scale = scaleOf(matrix);
-  if (!matrix.allFinite() || !matrix.row(3).isApprox(last_row) || !(scale > 0.0))
+  if (!matrix.allFinite() || !matrix.row(3).isApprox(last_row) ||
+      !(scale > 1.0 / most_scale && scale < most_scale) ||
+      matrix.topRightCorner<3, 1>().cwiseAbs().maxCoeff() > farthest)
     return false;
   const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>() / scale;
   return (rotation * rotation.transpose()).isIdentity(1e-3);

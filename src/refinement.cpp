@@ -253,7 +253,7 @@ Refinement::refine(const Eigen::Matrix4d& initial, const Effort& effort) const
                                 ? scales_.clamp(pairs.symmetricScale())
                                 : scale;
     const Eigen::Matrix4d next = pairs.similarity(estimate);
-    if (!next.allFinite())
+    if (!isSimilarity(next))
       break;
     const bool settled =
         iteration > falling && (next - pose).cwiseAbs().maxCoeff() < 1e-5;

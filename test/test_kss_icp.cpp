@@ -564,7 +564,8 @@ TEST(KSSICP, IsNeverWorseThanICPFromTheGuess)
     settings = trial.registration.getSettings();
     pcl::kss::Alignment judge(settings);
     const auto local = [](const Cloud& cloud) {
-      return pcl::kss::toLocalCloud(cloud, pcl::kss::finiteIndices(cloud));
+      return pcl::kss::toLocalCloud(
+          cloud, pcl::kss::usablePoints(cloud, pcl::kss::allIndices(cloud)));
     };
     judge.setClouds(local(*pair.source), local(*pair.target), 1.0);
     const double ours = judge.judge(poseFrom(trial.registration)).overlap.score;

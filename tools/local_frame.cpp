@@ -4,12 +4,25 @@
 
 #include "local_frame.h"
 
+#include <pcl/registration/kss/bulk.h>
+#include <pcl/registration/kss/cloud_conversion.h>
+
 namespace tool {
 
 Eigen::Vector3d
 localOrigin(const Points& points)
 {
-  return boundingBox(points).center();
+  pcl::Indices finite;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].allFinite())
+      finite.push_back(static_cast<pcl::index_t>(i));
+  std::vector<Eigen::Vector3d> some;
+  for (const pcl::index_t i : pcl::kss::spread(finite, pcl::kss::bulk_points))
+    some.push_back(points[i]);
+  // the middle of the box is wherever a point far away from all others puts it
+  const pcl::kss::Bulk bulk = pcl::kss::bulkOf(some);
+  pcl::kss::throwIfTooWide(bulk);
+  return bulk.middle;
 }
 
 Eigen::Matrix4d

@@ -10,6 +10,7 @@ namespace tool {
 
 /** \brief The origin of a frame near a cloud, in which floats are as fine as can be.
  * \param[in] points at least one of them finite
+ * \throws std::invalid_argument where single precision cannot hold the cloud
  */
 Eigen::Vector3d
 localOrigin(const Points& points);

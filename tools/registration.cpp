@@ -6,8 +6,10 @@
 
 #include "local_frame.h"
 
+#include <pcl/registration/kss/naming.h>
 #include <pcl/registration/kss_icp.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace tool {
@@ -29,6 +31,13 @@ localCloud(const Points& points, const Eigen::Vector3d& origin)
   return cloud;
 }
 
+std::size_t
+finite(const Points& points)
+{
+  return std::count_if(points.begin(), points.end(),
+                       [](const Eigen::Vector3d& point) { return point.allFinite(); });
+}
+
 } // namespace
 
 Result
@@ -37,13 +46,17 @@ registerClouds(const Points& source,
                const pcl::kss::Settings& settings)
 {
   const auto start = std::chrono::steady_clock::now();
-  const Eigen::Vector3d source_origin = localOrigin(source);
-  const Eigen::Vector3d target_origin = localOrigin(target);
+  const Eigen::Vector3d source_origin =
+      pcl::kss::naming("source", [&] { return localOrigin(source); });
+  const Eigen::Vector3d target_origin =
+      pcl::kss::naming("target", [&] { return localOrigin(target); });
 
   Registration registration;
   registration.setSettings(settings);
-  registration.setInputSource(localCloud(source, source_origin));
-  registration.setInputTarget(localCloud(target, target_origin));
+  const Cloud::Ptr source_cloud = localCloud(source, source_origin);
+  const Cloud::Ptr target_cloud = localCloud(target, target_origin);
+  registration.setInputSource(source_cloud);
+  registration.setInputTarget(target_cloud);
   Cloud aligned;
   registration.align(aligned);
 
@@ -59,6 +72,10 @@ registerClouds(const Points& source,
   result.ambiguous = registration.isAmbiguous();
   result.mode = registration.getFoundMode();
   result.fitness = registration.getFitnessScore();
+  // those that floats cannot hold are farther away still
+  const auto far = registration.getNumberOfFarPoints();
+  result.far_points = {far.source + finite(source) - source_cloud->size(),
+                       far.target + finite(target) - target_cloud->size()};
   result.device = registration.getDeviceName();
   result.stages = registration.getStageSeconds();
   const std::chrono::duration<double> seconds =

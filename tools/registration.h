@@ -6,6 +6,7 @@
 
 #include "geometry.h"
 
+#include <pcl/registration/kss/bulk.h>
 #include <pcl/registration/kss/overlap.h>
 #include <pcl/registration/kss/settings.h>
 #include <pcl/registration/kss/stage_seconds.h>
@@ -38,6 +39,9 @@ struct Result {
   pcl::kss::Mode mode;
   /** \brief The mean squared distance of the source's points from the target. */
   double fitness;
+  /** \brief How many points of each cloud were left out, too far away from the others.
+   */
+  pcl::kss::FarPoints far_points;
   std::string device;
   std::vector<pcl::kss::StageSeconds> stages;
   double seconds;

@@ -7,6 +7,7 @@
 #include <pcl/point_types.h>
 #include <pcl/registration/icp.h>
 #include <pcl/registration/kss/alignment.h>
+#include <pcl/registration/kss/bulk.h>
 #include <pcl/registration/kss/confidence.h>
 #include <pcl/registration/kss/failure.h>
 #include <pcl/registration/kss/settings.h>
@@ -452,6 +453,16 @@ public:
     return alternatives_.empty() ? kss::Overlap() : alternatives_.front().overlap;
   }
 
+  /** \brief Get how many points the last align() left out since they lie thousands of
+   * times as far from the middle of their cloud as half of its points do (kss::Bulk);
+   * zeros after a failure. The output has them, transformed as the others.
+   */
+  const kss::FarPoints&
+  getNumberOfFarPoints() const
+  {
+    return far_points_;
+  }
+
   /** \brief Get which parts of the object the clouds turned out to show: the mode that
    * was set, or, where it was AUTOMATIC, the one that the overlap speaks for.
    */
@@ -533,8 +544,8 @@ protected:
   using Base::tree_;
   using Base::update_visualizer_;
 
-  /** \brief Apply a similarity; normals take the pure rotation, points that are not
-   * finite stay.
+  /** \brief What ICP moves points by: place() where all of them stay finite; otherwise
+   * the run ends, and the pose that it started from is kept.
    */
   void
   transformCloud(const PointCloudSource& input,
@@ -571,6 +582,15 @@ private:
   template <typename Value>
   void
   set(Value& setting, const Value& value, bool sensible, const char* refusal);
+
+  /** \brief Apply a similarity; normals take the pure rotation, points that are not
+   * finite stay.
+   * \return whether the others are finite still
+   */
+  static bool
+  place(const PointCloudSource& input,
+        PointCloudSource& output,
+        const Matrix4& transform);
 
   /** \brief Check what align() needs before it can start. */
   void
@@ -625,6 +645,7 @@ private:
   bool source_is_output_ = false;
 
   kss::Alternatives alternatives_;
+  kss::FarPoints far_points_;
   std::vector<kss::StageSeconds> stage_seconds_;
   std::string device_name_;
   kss::Failure failure_;

@@ -7,6 +7,7 @@
 #include <pcl/console/print.h>
 #include <pcl/registration/kss/cloud_conversion.h>
 #include <pcl/registration/kss/hand_off_criteria.h>
+#include <pcl/registration/kss/naming.h>
 #include <pcl/registration/kss/tracked_correspondences.h>
 #include <pcl/registration/kss_icp.h>
 
@@ -27,6 +28,10 @@ constexpr double hand_off_reach = 4.0;
 /** \brief The share of the score that a pose may lose to the final ICP: what chance
  * causes. */
 constexpr double hand_off_loss = 0.01;
+
+/** \brief Thrown through ICP where its transformation is none that points can follow:
+ * PCL asserts that they are finite. */
+struct NoPose {};
 
 } // namespace kss
 
@@ -104,7 +109,7 @@ KSSICP<PointSource, PointTarget, Scalar>::align(PointCloudSource& output,
   catch (...) {
     giveUp(guess, kss::failureOfException());
     copyIndexedSource(output);
-    transformCloud(output, output, final_transformation_);
+    place(output, output, final_transformation_);
   }
   input_ = source;
   source_is_output_ = in_place;
@@ -163,7 +168,7 @@ KSSICP<PointSource, PointTarget, Scalar>::computeTransformation(
     alignment_.reset(); // whatever it was in the midst of
   }
   // align() has filled the output with the (indexed) source
-  transformCloud(output, output, final_transformation_);
+  place(output, output, final_transformation_);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -178,12 +183,16 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
         "The guess is not a rotation, translation and positive scale.");
 
   // clouds
-  const Indices source_indices = kss::finiteIndices(*input_, *indices_);
-  if (source_indices.empty())
-    throw std::invalid_argument("The source cloud has no finite points.");
-  const Indices target_indices = kss::finiteIndices(*target_);
-  if (target_indices.empty())
-    throw std::invalid_argument("The target cloud has no finite points.");
+  const kss::UsablePoints source_points =
+      kss::naming("source", [&] { return kss::usablePoints(*input_, *indices_); });
+  const kss::UsablePoints target_points = kss::naming(
+      "target", [&] { return kss::usablePoints(*target_, kss::allIndices(*target_)); });
+  far_points_ = {source_points.far, target_points.far};
+  if (has_guess &&
+      !target_points.bulk.holds(
+          (guessed * source_points.bulk.middle.homogeneous()).template head<3>()))
+    throw std::invalid_argument("The guess takes the source far away from the target: "
+                                "is it in the units of the clouds?");
 
   // simplification, pre-shape, {O}, energies, minima, ICP on each
   if (alignment_ && kss::sameWork(alignment_->settings(), settings_))
@@ -191,9 +200,11 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
   else
     alignment_ = std::make_unique<kss::Alignment>(settings_);
   kss::Alignment& alignment = *alignment_;
-  alignment.setClouds(kss::toLocalCloud(*input_, source_indices),
-                      kss::toLocalCloud(*target_, target_indices),
+  alignment.setClouds(kss::toLocalCloud(*input_, source_points),
+                      kss::toLocalCloud(*target_, target_points),
                       has_guess ? kss::scaleOf(guessed) : 1.0);
+  if (has_guess)
+    alignment.throwIfUndetermined(kss::scaleOf(guessed));
   const kss::Alternatives found = alignment.align();
   device_name_ = alignment.deviceName();
 
@@ -201,8 +212,8 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
   report("hand-off", 0.0);
   if (auto* criteria =
           dynamic_cast<kss::HandOffCriteria<Scalar>*>(convergence_criteria_.get()))
-    criteria->setRoundingError(kss::roundingError(*target_));
-  Indices used = kss::spread(source_indices, settings_.icp_points);
+    criteria->setRoundingError(kss::roundingError(*target_, target_points.indices));
+  Indices used = kss::spread(source_points.indices, settings_.icp_points);
   kss::sortInSpace(*input_, used);
   const auto source = pcl::make_shared<PointCloudSource>(*input_, used);
   source->is_dense = true;
@@ -290,13 +301,25 @@ KSSICP<PointSource, PointTarget, Scalar>::handOff(
     corr_dist_threshold_ =
         std::min(corr_dist_threshold_, kss::hand_off_reach * alignment.spacing(pose));
   PointCloudSource unused;
-  Base::computeTransformation(unused, pose.cast<Scalar>());
+  bool is_pose = true;
+  try {
+    Base::computeTransformation(unused, pose.cast<Scalar>());
+    is_pose = kss::isSimilarity(final_transformation_.template cast<double>());
+  }
+  catch (const kss::NoPose&) {
+    is_pose = false;
+  }
+  if (!is_pose)
+    transformation_ = previous_transformation_ = Matrix4::Identity();
   HandOff run{final_transformation_, transformation_, previous_transformation_,
               nr_iterations_,        converged_,      *correspondences_};
 
-  // nearest points lead astray where noise is heavy
-  Alternative after = alignment.judge(final_transformation_.template cast<double>());
-  if (after.overlap.score < (1.0 - kss::hand_off_loss) * contender.pose.overlap.score) {
+  // an estimation can be singular, and nearest points lead astray where noise is heavy
+  Alternative after = contender.pose;
+  if (is_pose)
+    after = alignment.judge(final_transformation_.template cast<double>());
+  if (!is_pose ||
+      after.overlap.score < (1.0 - kss::hand_off_loss) * contender.pose.overlap.score) {
     after = contender.pose;
     run.transformation = pose.cast<Scalar>();
     run.converged = true;
@@ -377,6 +400,7 @@ KSSICP<PointSource, PointTarget, Scalar>::giveUp(const Matrix4& guess,
   nr_iterations_ = 0;
   correspondences_->clear();
   alternatives_.clear();
+  far_points_ = {};
   stage_seconds_.clear();
   device_name_.clear();
 }
@@ -387,19 +411,33 @@ KSSICP<PointSource, PointTarget, Scalar>::transformCloud(const PointCloudSource&
                                                          PointCloudSource& output,
                                                          const Matrix4& transform)
 {
+  if (!place(input, output, transform))
+    throw kss::NoPose();
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+bool
+KSSICP<PointSource, PointTarget, Scalar>::place(const PointCloudSource& input,
+                                                PointCloudSource& output,
+                                                const Matrix4& transform)
+{
   const Eigen::Matrix4d matrix = transform.template cast<double>();
   const Eigen::Affine3d similarity(matrix);
   const Eigen::Matrix3d rotation = similarity.linear() / kss::scaleOf(matrix);
+  bool all_finite = true;
   for (std::size_t i = 0; i < input.size(); ++i) {
     const Eigen::Vector3f point = input[i].getVector3fMap();
     if (!point.allFinite())
       continue;
-    output[i].getVector3fMap() = (similarity * point.cast<double>()).cast<float>();
+    const Eigen::Vector3f placed = (similarity * point.cast<double>()).cast<float>();
+    all_finite = all_finite && placed.allFinite();
+    output[i].getVector3fMap() = placed;
     if constexpr (traits::has_normal<PointSource>::value)
       output[i].getNormalVector3fMap() =
           (rotation * input[i].getNormalVector3fMap().template cast<double>())
               .template cast<float>();
   }
+  return all_finite;
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -414,7 +452,7 @@ KSSICP<PointSource, PointTarget, Scalar>::getFitnessScore(double max_range)
       aligned = *input_;
     else {
       copyIndexedSource(aligned);
-      transformCloud(aligned, aligned, final_transformation_);
+      place(aligned, aligned, final_transformation_);
     }
     Indices index(1);
     std::vector<float> squared(1);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/registration/kss/candidate_search.h>
+#include <pcl/registration/kss/determinacy.h>
 #include <pcl/registration/kss/nearest_points.h>
 #include <pcl/registration/kss/overlap.h>
 #include <pcl/registration/kss/points.h>
@@ -81,7 +82,15 @@ public:
   Alternatives
   align();
 
-  /** \brief A transformation with its overlap, which ranks it among the alternatives.
+  /** \brief Throw where the clouds determine no pose of a scale; setClouds() has done
+   * so for the scale that comes nearest to making them equally large.
+   * \throws std::invalid_argument
+   */
+  void
+  throwIfUndetermined(double scale) const;
+
+  /** \brief A transformation with its overlap, which ranks it among the alternatives;
+   * none where it is no similarity, or one of a scale that determines no pose.
    */
   Alternative
   judge(const Eigen::Matrix4d& transformation) const;
@@ -126,6 +135,7 @@ private:
   Settings settings_;
   CandidateSearch search_;
   PreparedCloud source_cloud_, target_cloud_;
+  CloudSize source_size_{}, target_size_{};
   std::optional<Shape> source_, target_;
   std::optional<PoseMetric> metric_;
   bool is_noisy_ = false;

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <pcl/point_cloud.h>
+#include <pcl/registration/kss/bulk.h>
+#include <pcl/registration/kss/grid_index.h>
 #include <pcl/registration/kss/points.h>
 #include <pcl/types.h>
 
@@ -12,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -31,14 +34,14 @@ finiteIndices(const PointCloud<PointT>& cloud, const Indices& indices)
   return finite;
 }
 
-/** \brief The indices of all points whose coordinates are finite. */
+/** \brief The indices of all points. */
 template <typename PointT>
 Indices
-finiteIndices(const PointCloud<PointT>& cloud)
+allIndices(const PointCloud<PointT>& cloud)
 {
   Indices all(cloud.size());
   std::iota(all.begin(), all.end(), 0);
-  return finiteIndices(cloud, all);
+  return all;
 }
 
 /** \brief So many of the indices, spread over all of them; a step that wanders keeps
@@ -79,9 +82,9 @@ sortInSpace(const PointCloud<PointT>& cloud, Indices& indices)
   // the interleaved bits of the coordinates, in 64ths of the box
   std::vector<std::pair<unsigned int, index_t>> keys;
   for (const index_t i : indices) {
-    const Eigen::Array3i cell =
-        (63.0f * (cloud[i].getVector3fMap() - box.min()).array() / size)
-            .template cast<int>();
+    const Eigen::Array3i cell = toIndices(
+        Eigen::Array3f(63.0f * (cloud[i].getVector3fMap() - box.min()).array() / size),
+        Eigen::Array3i::Constant(63));
     unsigned int key = 0;
     for (int bit = 5; bit >= 0; --bit)
       for (int axis = 0; axis < 3; ++axis)
@@ -93,34 +96,83 @@ sortInSpace(const PointCloud<PointT>& cloud, Indices& indices)
                  [](const auto& key) { return key.second; });
 }
 
-/** \brief The coordinates of some points of a cloud, in a frame near their middle. */
+/** \brief The bulk of some points of a cloud.
+ * \param[in] cloud has finite points at the indices
+ * \param[in] indices at least one
+ */
+template <typename PointT>
+Bulk
+bulkOf(const PointCloud<PointT>& cloud, const Indices& indices)
+{
+  std::vector<Eigen::Vector3d> some;
+  for (const index_t i : spread(indices, bulk_points))
+    some.emplace_back(cloud[i].getVector3fMap().template cast<double>());
+  return bulkOf(std::move(some));
+}
+
+/** \brief What of a cloud a registration goes by. */
+struct UsablePoints {
+  /** \brief The indices of the finite points that its bulk holds. */
+  Indices indices;
+  /** \brief Where they lie. */
+  Bulk bulk;
+  /** \brief How many finite points lie too far away. */
+  std::size_t far = 0;
+};
+
+/** \brief Leave out points that are not finite, or far away from all others.
+ * \param[in] cloud any cloud
+ * \param[in] indices of its points
+ * \throws std::invalid_argument where nothing is left, or throwIfTooWide() does
+ */
+template <typename PointT>
+UsablePoints
+usablePoints(const PointCloud<PointT>& cloud, const Indices& indices)
+{
+  UsablePoints usable;
+  usable.indices = finiteIndices(cloud, indices);
+  if (usable.indices.empty())
+    throw std::invalid_argument("it has no finite points");
+  usable.bulk = bulkOf(cloud, usable.indices);
+  throwIfTooWide(usable.bulk);
+  const auto is_far = [&](index_t i) {
+    return !usable.bulk.holds(cloud[i].getVector3fMap().template cast<double>());
+  };
+  const auto end = std::remove_if(usable.indices.begin(), usable.indices.end(), is_far);
+  usable.far = static_cast<std::size_t>(usable.indices.end() - end);
+  usable.indices.erase(end, usable.indices.end());
+  return usable;
+}
+
+/** \brief The usable points of a cloud, in a frame in their middle. */
 template <typename PointT>
 LocalCloud
-toLocalCloud(const PointCloud<PointT>& cloud, const Indices& indices)
+toLocalCloud(const PointCloud<PointT>& cloud, const UsablePoints& usable)
 {
   LocalCloud local;
-  for (const index_t i : indices)
-    local.origin += cloud[i].getVector3fMap().template cast<double>();
-  local.origin /= static_cast<double>(std::max<std::size_t>(1, indices.size()));
-  local.points.resize(3, indices.size());
-  for (std::size_t i = 0; i < indices.size(); ++i)
+  local.origin = usable.bulk.middle;
+  local.points.resize(3, usable.indices.size());
+  for (std::size_t i = 0; i < usable.indices.size(); ++i)
     local.points.col(i) =
-        (cloud[indices[i]].getVector3fMap().template cast<double>() - local.origin)
+        (cloud[usable.indices[i]].getVector3fMap().template cast<double>() -
+         local.origin)
             .template cast<float>();
   return local;
 }
 
 /** \brief What rounding alone contributes to the squared distance of two points: a few
  * dozen roundings of the largest coordinate, as many steps of ICP make.
+ * \param[in] cloud has finite points at the indices
+ * \param[in] indices any number
  */
 template <typename PointT>
 double
-roundingError(const PointCloud<PointT>& cloud)
+roundingError(const PointCloud<PointT>& cloud, const Indices& indices)
 {
   double largest = 0.0;
-  for (const PointT& point : cloud)
-    if (point.getVector3fMap().allFinite())
-      largest = std::max<double>(largest, point.getVector3fMap().squaredNorm());
+  for (const index_t i : indices)
+    largest = std::max(largest,
+                       cloud[i].getVector3fMap().template cast<double>().squaredNorm());
   return largest * std::pow(10.0 * std::numeric_limits<float>::epsilon(), 2);
 }
 

@@ -13,6 +13,11 @@
 namespace pcl {
 namespace kss {
 
+/** \brief How near a surface a point counts as covered by it, in spacings: of random
+ * points on a surface, one in a thousand has no point of another such sampling within
+ * this distance. */
+constexpr float covered = 1.5f;
+
 /** \brief How much of two clouds lies on each other at a pose. */
 struct Overlap {
   /** \brief The share of the source that the target covers, in [0, 1]. */

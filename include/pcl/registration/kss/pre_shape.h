@@ -53,7 +53,9 @@ toPreShapePose(const Eigen::Matrix4d& transformation,
                const PreShape& source,
                const PreShape& target);
 
-/** \brief Whether a matrix is a rotation, translation and positive scale, all finite.
+/** \brief Whether a matrix is a rotation, translation and positive scale, all of them
+ * numbers that points in single precision can follow. Every pose that is searched from,
+ * judged or returned is.
  */
 bool
 isSimilarity(const Eigen::Matrix4d& matrix);
