@@ -12,6 +12,8 @@ namespace kss {
 
 CandidateNeighbours::CandidateNeighbours(const Candidates& candidates,
                                          unsigned int kernel)
+: rotations_(candidates.rotations())
+, kernel_(kernel)
 {
   const auto [nx, ny, nz] = candidates.centers().steps;
   std::size_t stride = 1;
@@ -22,11 +24,14 @@ CandidateNeighbours::CandidateNeighbours(const Candidates& candidates,
     stride *= size;
   }
   row_size_ = stride;
-  const std::size_t rotations = candidates.rotations().rotations().size();
-  for (std::size_t i = 0; i < rotations; ++i) {
-    rotations_.push_back(candidates.rotations().neighbours(i, kernel));
-    rotations_.back().push_back(i);
-  }
+}
+
+std::vector<std::size_t>
+CandidateNeighbours::rowsAround(std::size_t row) const
+{
+  std::vector<std::size_t> rows = rotations_.neighbours(row, kernel_);
+  rows.push_back(row);
+  return rows;
 }
 
 template <typename Better>
@@ -54,12 +59,12 @@ CandidateNeighbours::lowestAround(const std::vector<float>& values,
 {
   const auto lower = [](float a, float b) { return b < a ? b : a; };
   std::vector<float> spread = values;
-  for (std::size_t r = 0; r < rotations_.size(); ++r)
+  for (std::size_t r = 0; r < rows.size(); ++r)
     spreadInRow(spread.data() + r * row_size_, lower);
   std::vector<float> lowest = spread;
-  for (std::size_t r = 0; r < rotations_.size(); ++r)
+  for (std::size_t r = 0; r < rows.size(); ++r)
     if (rows[r])
-      for (const std::size_t n : rotations_[r]) {
+      for (const std::size_t n : rowsAround(r)) {
         float* to = lowest.data() + r * row_size_;
         const float* from = spread.data() + n * row_size_;
         for (std::size_t i = 0; i < row_size_; ++i)
@@ -75,11 +80,11 @@ CandidateNeighbours::highestAround(const std::vector<float>& values,
   const auto higher = [](float a, float b) { return b > a ? b : a; };
   std::vector<float> highest(values.size(), std::numeric_limits<float>::lowest());
   std::vector<float> spread(row_size_);
-  for (std::size_t r = 0; r < rotations_.size(); ++r)
+  for (std::size_t r = 0; r < rows.size(); ++r)
     if (rows[r]) {
       std::copy_n(values.begin() + r * row_size_, row_size_, spread.begin());
       spreadInRow(spread.data(), higher);
-      for (const std::size_t n : rotations_[r]) {
+      for (const std::size_t n : rowsAround(r)) {
         float* to = highest.data() + n * row_size_;
         for (std::size_t i = 0; i < row_size_; ++i)
           to[i] = higher(to[i], spread[i]);

@@ -19,7 +19,8 @@ namespace kss {
  */
 class CandidateNeighbours {
 public:
-  /** \param[in] candidates whose neighbours are wanted
+  /** \param[in] candidates whose neighbours are wanted; their rotations are kept by
+   * reference
    * \param[in] kernel edge of the kernel of rotations, in steps
    */
   CandidateNeighbours(const Candidates& candidates, unsigned int kernel);
@@ -58,13 +59,18 @@ private:
     std::size_t size, stride;
   };
 
+  /** \brief The rows of a rotation's neighbours, and its own. */
+  std::vector<std::size_t>
+  rowsAround(std::size_t row) const;
+
   template <typename Better>
   void
   spreadInRow(float* row, const Better& better) const;
 
   std::size_t row_size_;
   std::vector<Axis> axes_; ///< of a row: scales and the three axes of the centres
-  std::vector<std::vector<std::size_t>> rotations_; ///< each and its neighbours
+  const CandidateRotations& rotations_;
+  unsigned int kernel_;
 };
 
 template <typename Predicate>
@@ -84,7 +90,7 @@ CandidateNeighbours::anyAround(std::size_t candidate, const Predicate& predicate
         places.push_back(places[i] + axis.stride);
     }
   }
-  for (const std::size_t rotation : rotations_[candidate / row_size_])
+  for (const std::size_t rotation : rowsAround(candidate / row_size_))
     for (const std::size_t p : places)
       if (rotation * row_size_ + p != candidate && predicate(rotation * row_size_ + p))
         return true;

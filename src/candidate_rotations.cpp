@@ -4,19 +4,43 @@
 
 #include <pcl/registration/kss/candidate_rotations.h>
 
+#include "rotation_cells.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace pcl {
 namespace kss {
+namespace {
 
-const std::vector<std::size_t>&
+/** Indices of rotations and their neighbours that are kept: 8 MB, and some 100 bytes
+ * for each rotation. */
+constexpr std::size_t most_kept = 1 << 20;
+
+/** The radius of the ball that a kernel is, on SO(3) of so many rotations. It has the
+ * volume 8 pi^2 in radians cubed: a step is the edge of a cube of it. */
+double
+radiusOf(unsigned int kernel, std::size_t rotations)
+{
+  const double step = std::cbrt(8.0 * M_PI * M_PI / rotations);
+  return std::min(M_PI, 0.5 * (kernel - 1.0) * step);
+}
+
+} // namespace
+
+std::vector<std::size_t>
 CandidateRotations::neighbours(std::size_t index, unsigned int kernel) const
 {
-  auto& neighbours = neighbours_[kernel];
-  for (std::size_t i = neighbours.size(); i < rotations_.size(); ++i)
-    neighbours.push_back(findNeighbours(i, kernel));
-  return neighbours[index];
+  Neighbours& kept = kept_[kernel];
+  const auto known = kept.find(index);
+  if (known != kept.end())
+    return known->second;
+  std::vector<std::size_t> found = findNeighbours(index, kernel);
+  if (kept_indices_ + found.size() < most_kept) {
+    kept_indices_ += found.size() + 1;
+    kept.emplace(index, found);
+  }
+  return found;
 }
 
 EulerRotations::EulerRotations(double angle_step)
@@ -68,19 +92,28 @@ EvenRotations::EvenRotations(unsigned int number)
     rotations_.emplace_back(outer * std::cos(beta), inner * std::sin(alpha),
                             inner * std::cos(alpha), outer * std::sin(beta));
   }
+  constexpr unsigned int usual_kernel = 3;
+  const auto cells = std::make_shared<RotationCells>(
+      RotationCells::chord(radiusOf(usual_kernel, number)), number);
+  for (const Eigen::Quaterniond& rotation : rotations_)
+    cells->add(rotation);
+  cells_ = cells;
 }
 
 std::vector<std::size_t>
 EvenRotations::findNeighbours(std::size_t index, unsigned int kernel) const
 {
-  // SO(3) has the volume 8 pi^2 in radians cubed: a step is the edge of a cube of it.
-  const double step = std::cbrt(8.0 * M_PI * M_PI / rotations_.size());
-  const double radius = std::min(M_PI, 0.5 * (kernel - 1.0) * step);
+  const Eigen::Quaterniond& rotation = rotations_[index];
+  const double radius = radiusOf(kernel, rotations_.size());
   const double smallest_cosine = std::cos(0.5 * radius);
   std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < rotations_.size(); ++i)
-    if (i != index && std::abs(rotations_[i].dot(rotations_[index])) >= smallest_cosine)
+  cells_->anyNear(rotation, RotationCells::chord(radius), 0, [&](std::size_t i) {
+    if (i != index && std::abs(rotations_[i].dot(rotation)) >= smallest_cosine)
       found.push_back(i);
+    return false;
+  });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 

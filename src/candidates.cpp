@@ -4,6 +4,8 @@
 
 #include <pcl/registration/kss/candidates.h>
 
+#include "rotation_cells.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -106,9 +108,10 @@ Candidates::localMinima(const std::vector<float>& energies,
             return true;
       return false;
     };
-    const auto& others = rotations_->neighbours(at.rotation, kernel);
-    if (!is_lower_around(at.rotation) &&
-        std::none_of(others.begin(), others.end(), is_lower_around))
+    if (is_lower_around(at.rotation))
+      continue;
+    const auto others = rotations_->neighbours(at.rotation, kernel);
+    if (std::none_of(others.begin(), others.end(), is_lower_around))
       minima.push_back(index);
   }
   std::sort(minima.begin(), minima.end(), lower);
@@ -122,17 +125,23 @@ Candidates::distinct(const std::vector<std::size_t>& candidates, double angle) c
     return candidates;
   // the cosine of half the angle between rotations is their quaternions' product
   const double smallest_cosine = std::cos(0.5 * angle);
+  const double chord = RotationCells::chord(std::min(angle, M_PI));
+  const auto rotationOf = [&](std::size_t candidate) -> const Eigen::Quaterniond& {
+    return rotations_->rotations()[partsOf(candidate).rotation];
+  };
+  const std::size_t places = centers_.centers.size() * scales_.size();
+  RotationCells cells(chord);
   std::vector<std::size_t> distinct;
-  std::vector<Parts> parts;
   for (const std::size_t i : candidates) {
-    const Parts a = partsOf(i);
-    if (std::none_of(parts.begin(), parts.end(), [&](const Parts& b) {
-          return a.center == b.center && a.scale == b.scale &&
-                 std::abs(rotations_->rotations()[a.rotation].dot(
-                     rotations_->rotations()[b.rotation])) > smallest_cosine;
+    const Eigen::Quaterniond& rotation = rotationOf(i);
+    const std::size_t place = i % places;
+    if (!cells.anyNear(rotation, chord, place, [&](std::size_t taken) {
+          const std::size_t other = distinct[taken];
+          return other % places == place &&
+                 std::abs(rotation.dot(rotationOf(other))) > smallest_cosine;
         })) {
       distinct.push_back(i);
-      parts.push_back(a);
+      cells.add(rotation, place);
     }
   }
   return distinct;

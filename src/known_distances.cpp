@@ -4,6 +4,8 @@
 
 #include "known_distances.h"
 
+#include "rotation_cells.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,24 +17,39 @@ namespace {
 /** Points of each cloud at the first level. */
 constexpr Eigen::Index first_probes = 128;
 
+/** Candidates that are evaluated at once: more would take memory for nothing. */
+constexpr std::size_t batch = 1 << 16;
+
 /** For each rotation, the first that is the same: the Euler grid holds most twice.
  * Bounds have more room for rounding errors than the two differ by. */
 std::vector<std::size_t>
 firstOfEach(const CandidateRotations::Rotations& rotations)
 {
   constexpr double same = 1e-9;
+  RotationCells cells(same, rotations.size());
   std::vector<std::size_t> first(rotations.size());
-  std::vector<double> w(rotations.size());
   for (std::size_t i = 0; i < rotations.size(); ++i) {
-    w[i] = std::abs(rotations[i].w());
     first[i] = i;
-    for (std::size_t j = 0; j < i && first[i] == i; ++j)
-      if (std::abs(w[i] - w[j]) < same &&
+    cells.anyNear(rotations[i], same, 0, [&](std::size_t j) {
+      if (j < first[i] &&
           std::min((rotations[i].coeffs() - rotations[j].coeffs()).norm(),
                    (rotations[i].coeffs() + rotations[j].coeffs()).norm()) < same)
         first[i] = j;
+      return false;
+    });
+    cells.add(rotations[i]);
   }
   return first;
+}
+
+template <typename Work>
+void
+inBatches(const std::vector<std::size_t>& candidates, const Work& work)
+{
+  for (std::size_t begin = 0; begin < candidates.size(); begin += batch)
+    work(std::vector<std::size_t>(candidates.begin() + begin,
+                                  candidates.begin() +
+                                      std::min(begin + batch, candidates.size())));
 }
 
 void
@@ -58,11 +75,15 @@ KnownDistances::KnownDistances(const Candidates& candidates,
 , distances_(distances)
 , row_size_(candidates.scales().size() * candidates.centers().centers.size())
 , first_(firstOfEach(candidates.rotations().rotations()))
-, same_(first_.size())
+, next_(first_.size(), first_.size())
 , level_(candidates.size(), 0)
 {
+  std::vector<std::size_t> last = first_;
   for (std::size_t i = 0; i < first_.size(); ++i)
-    same_[first_[i]].push_back(i);
+    if (first_[i] != i) {
+      next_[last[first_[i]]] = i;
+      last[first_[i]] = i;
+    }
   const float most = std::numeric_limits<float>::max();
   known_.assign(candidates.size(), {{0, 0, 0, 0}, {most, most, most, most}});
   // the last step is no shorter than the others
@@ -89,17 +110,20 @@ KnownDistances::bound(const std::vector<std::size_t>& candidates, int level)
 
   SearchEffort::Level& effort = effort_.levels[level - 1];
   effort.candidates += chosen.size();
-  const auto bounds = bounds_.evaluate(candidates_.placements(chosen), effort.probes);
   std::vector<std::size_t> changed;
-  for (std::size_t i = 0; i < chosen.size(); ++i)
-    for (const std::size_t rotation : same_[chosen[i] / row_size_]) {
-      const std::size_t candidate = rotation * row_size_ + chosen[i] % row_size_;
-      if (level_[candidate] < level) {
-        level_[candidate] = static_cast<std::uint8_t>(level);
-        narrow(known_[candidate], bounds[i]);
-        changed.push_back(candidate);
+  inBatches(chosen, [&](const std::vector<std::size_t>& these) {
+    const auto bounds = bounds_.evaluate(candidates_.placements(these), effort.probes);
+    for (std::size_t i = 0; i < these.size(); ++i)
+      for (std::size_t rotation = these[i] / row_size_; rotation < next_.size();
+           rotation = next_[rotation]) {
+        const std::size_t candidate = rotation * row_size_ + these[i] % row_size_;
+        if (level_[candidate] < level) {
+          level_[candidate] = static_cast<std::uint8_t>(level);
+          narrow(known_[candidate], bounds[i]);
+          changed.push_back(candidate);
+        }
       }
-    }
+  });
   return changed;
 }
 
@@ -107,11 +131,13 @@ std::vector<std::size_t>
 KnownDistances::compute(const std::vector<std::size_t>& candidates)
 {
   effort_.exact += candidates.size();
-  const auto distances = distances_.evaluate(candidates_.placements(candidates));
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    level_[candidates[i]] = static_cast<std::uint8_t>(exact());
-    known_[candidates[i]] = {distances[i], distances[i]};
-  }
+  inBatches(candidates, [&](const std::vector<std::size_t>& these) {
+    const auto distances = distances_.evaluate(candidates_.placements(these));
+    for (std::size_t i = 0; i < these.size(); ++i) {
+      level_[these[i]] = static_cast<std::uint8_t>(exact());
+      known_[these[i]] = {distances[i], distances[i]};
+    }
+  });
   return candidates;
 }
 

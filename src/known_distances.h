@@ -81,9 +81,9 @@ private:
   const Candidates& candidates_;
   BoundsEvaluator& bounds_;
   DistanceEvaluator& distances_;
-  std::size_t row_size_;                       ///< candidates of a rotation
-  std::vector<std::size_t> first_;             ///< of each rotation, that is the same
-  std::vector<std::vector<std::size_t>> same_; ///< of first rotations: all the same
+  std::size_t row_size_;           ///< candidates of a rotation
+  std::vector<std::size_t> first_; ///< of each rotation, that is the same
+  std::vector<std::size_t> next_;  ///< of each rotation, that is the same; or none
   std::vector<std::uint8_t> level_;
   std::vector<DistanceBounds> known_;
   SearchEffort effort_;

@@ -10,10 +10,13 @@
 
 #include <map>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 namespace pcl {
 namespace kss {
+
+class RotationCells;
 
 /** \brief The candidate rotations {O}, and which of them are neighbours. */
 class CandidateRotations {
@@ -30,10 +33,12 @@ public:
   }
 
   /** \brief The other rotations within the kernel of (e12) around one of them.
+   *
+   * What has been found is kept for the next time, but no more than a million of them.
    * \param[in] index a rotation of the set
    * \param[in] kernel the edge of the kernel in steps
    */
-  const std::vector<std::size_t>&
+  std::vector<std::size_t>
   neighbours(std::size_t index, unsigned int kernel) const;
 
 protected:
@@ -43,8 +48,10 @@ protected:
   Rotations rotations_;
 
 private:
-  // found when they are first asked for
-  mutable std::map<unsigned int, std::vector<std::vector<std::size_t>>> neighbours_;
+  using Neighbours = std::unordered_map<std::size_t, std::vector<std::size_t>>;
+
+  mutable std::map<unsigned int, Neighbours> kept_; ///< by kernel
+  mutable std::size_t kept_indices_ = 0;
 };
 
 /** \brief All triples of multiples of an angle, about x, then y, then z: (e10).
@@ -78,6 +85,9 @@ public:
 protected:
   std::vector<std::size_t>
   findNeighbours(std::size_t index, unsigned int kernel) const override;
+
+private:
+  std::shared_ptr<const RotationCells> cells_;
 };
 
 /** \brief The set that the settings ask for. */
