@@ -7,7 +7,7 @@ packages=(
   libpcl-dev libeigen3-dev
   ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd
   libboost-program-options-dev nlohmann-json3-dev libassimp-dev
-  libgtest-dev libbenchmark-dev
+  libgtest-dev libbenchmark-dev clang libclang-rt-dev
   python3-matplotlib python3-numpy)
 
 missing=()

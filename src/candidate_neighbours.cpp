@@ -4,6 +4,8 @@
 
 #include "candidate_neighbours.h"
 
+#include <pcl/registration/kss/stopping.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -29,6 +31,7 @@ CandidateNeighbours::CandidateNeighbours(const Candidates& candidates,
 std::vector<std::size_t>
 CandidateNeighbours::rowsAround(std::size_t row) const
 {
+  throwIfStopped(); // wide kernels of many rotations take long
   std::vector<std::size_t> rows = rotations_.neighbours(row, kernel_);
   rows.push_back(row);
   return rows;

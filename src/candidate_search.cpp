@@ -7,7 +7,10 @@
 #include <pcl/registration/kss/stopping.h>
 
 #include <algorithm>
+#include <iomanip>
 #include <limits>
+#include <sstream>
+#include <stdexcept>
 
 namespace pcl {
 namespace kss {
@@ -22,6 +25,38 @@ constexpr std::size_t most_screened = 8000;
 
 /** Minima of an energy at most. */
 constexpr std::size_t most_minima = 80;
+
+/** Gigabytes that the candidates of a sweep may take. */
+constexpr double most_memory = 4.0;
+
+/** What is kept of each candidate while it is searched, in bytes, about. */
+double
+bytesOfCandidate(Search search)
+{
+  switch (search) {
+  case Search::EXACT: // KnownDistances and what MinimumSearch makes of them
+    return 80.0;
+  case Search::BRUTE_FORCE: // energies and indices
+    return 16.0;
+  default: // energies, and sums of one scale
+    return 8.0;
+  }
+}
+
+void
+throwWhereTooMany(const Candidates& candidates, Search search)
+{
+  const auto size = static_cast<double>(candidates.size());
+  const double memory = 1e-9 * size * bytesOfCandidate(search);
+  if (memory <= most_memory)
+    return;
+  std::ostringstream message;
+  message << std::fixed << std::setprecision(0)
+          << "There are too many candidate poses, " << size << ": they would take "
+          << memory << " GB, but " << most_memory
+          << " GB at most are used; take fewer rotations or a larger angle step.";
+  throw std::invalid_argument(message.str());
+}
 
 } // namespace
 
@@ -91,6 +126,7 @@ CandidateSearch::minimaOf(const Sweep& sweep,
                           const PoseMetric& metric,
                           const std::function<void(double)>& done)
 {
+  throwWhereTooMany(sweep.candidates, settings_.search);
   if (settings_.search == Search::EXACT)
     return exact(sweep);
   // few candidates need no screening

@@ -3,6 +3,7 @@
  */
 
 #include <pcl/registration/kss/candidates.h>
+#include <pcl/registration/kss/stopping.h>
 
 #include "rotation_cells.h"
 
@@ -110,6 +111,7 @@ Candidates::localMinima(const std::vector<float>& energies,
     };
     if (is_lower_around(at.rotation))
       continue;
+    throwIfStopped();
     const auto others = rotations_->neighbours(at.rotation, kernel);
     if (std::none_of(others.begin(), others.end(), is_lower_around))
       minima.push_back(index);
@@ -133,6 +135,7 @@ Candidates::distinct(const std::vector<std::size_t>& candidates, double angle) c
   RotationCells cells(chord);
   std::vector<std::size_t> distinct;
   for (const std::size_t i : candidates) {
+    throwIfStopped();
     const Eigen::Quaterniond& rotation = rotationOf(i);
     const std::size_t place = i % places;
     if (!cells.anyNear(rotation, chord, place, [&](std::size_t taken) {

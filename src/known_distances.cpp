@@ -6,6 +6,8 @@
 
 #include "rotation_cells.h"
 
+#include <pcl/registration/kss/stopping.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -29,6 +31,7 @@ firstOfEach(const CandidateRotations::Rotations& rotations)
   RotationCells cells(same, rotations.size());
   std::vector<std::size_t> first(rotations.size());
   for (std::size_t i = 0; i < rotations.size(); ++i) {
+    throwIfStopped();
     first[i] = i;
     cells.anyNear(rotations[i], same, 0, [&](std::size_t j) {
       if (j < first[i] &&
@@ -46,10 +49,11 @@ template <typename Work>
 void
 inBatches(const std::vector<std::size_t>& candidates, const Work& work)
 {
-  for (std::size_t begin = 0; begin < candidates.size(); begin += batch)
-    work(std::vector<std::size_t>(candidates.begin() + begin,
-                                  candidates.begin() +
-                                      std::min(begin + batch, candidates.size())));
+  for (std::size_t begin = 0; begin < candidates.size(); begin += batch) {
+    throwIfStopped();
+    const std::size_t end = std::min(begin + batch, candidates.size());
+    work({candidates.begin() + begin, candidates.begin() + end});
+  }
 }
 
 void
