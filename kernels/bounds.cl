@@ -16,6 +16,7 @@
 /* The point nearest to every node. One work-item per row of nodes along x, sixteen at a
  * time.
  *
+ * first_row: of a dispatch
  * points: x, y, z, 1 per point
  * lower: the first node, and the edge of a cell in w
  * size: nodes along x, y and z; along x a multiple of eight
@@ -23,14 +24,15 @@
  * squared_distances: of these, in cells
  */
 kernel void
-nearest_to_nodes(global const float4* restrict points,
+nearest_to_nodes(const uint first_row,
+                 global const float4* restrict points,
                  const uint number_of_points,
                  const float4 lower,
                  const int4 size,
                  global int8* restrict nearest,
                  global float8* restrict squared_distances)
 {
-  const int row = get_global_id(0);
+  const int row = first_row + get_global_id(0);
   if (row >= size.y * size.z)
     return;
   const float y = lower.y + lower.w * (row % size.y);
@@ -74,12 +76,14 @@ squared_length(float4 v)
  * points nearest to the cell's corners the one nearest to its middle. One work-item per
  * row of cells along x.
  *
+ * first_row: of a dispatch
  * nearest, lower, size: of the nodes
  * rounding: how far a position can be off, in cells
  * border: the slack of cells at the border of the grid, which stand for all beyond
  */
 kernel void
-cell_bounds(global const float4* restrict points,
+cell_bounds(const uint first_row,
+            global const float4* restrict points,
             global const int* restrict nearest,
             const float4 lower,
             const int4 size,
@@ -87,7 +91,7 @@ cell_bounds(global const float4* restrict points,
             const float border,
             global float4* restrict cells)
 {
-  const int row = get_global_id(0);
+  const int row = first_row + get_global_id(0);
   if (row >= (size.y - 1) * (size.z - 1))
     return;
   const int y = row % (size.y - 1);

@@ -5,20 +5,22 @@
  * cloud, from all pairs. One work-item per row of nodes along x, eight at a time.
  */
 
-/* points: x, y, z, 1 per point
+/* first_row: of a dispatch
+ * points: x, y, z, 1 per point
  * origin: the first node; step: from node to node along x, y and z
  * size: nodes along x, y and z; along x a multiple of eight
  * distances: of the nodes, x varies fastest
  */
 kernel void
-node_distances(global const float4* restrict points,
+node_distances(const uint first_row,
+               global const float4* restrict points,
                const uint number_of_points,
                const float4 origin,
                const float4 step,
                const int4 size,
                global float8* restrict distances)
 {
-  const int row = get_global_id(0);
+  const int row = first_row + get_global_id(0);
   if (row >= size.y * size.z)
     return;
   const float y = origin.y + step.y * (row % size.y);
@@ -43,7 +45,7 @@ node_distances(global const float4* restrict points,
       near_c = min(near_c, (c - p.x) * (c - p.x) + off_line);
       near_d = min(near_d, (d - p.x) * (d - p.x) + off_line);
     }
-    global float8* restrict out = distances + (row * size.x + i) / 8;
+    global float8* restrict out = distances + ((size_t)row * size.x + i) / 8;
     out[0] = sqrt(near_a);
     if (i + 8 < size.x)
       out[1] = sqrt(near_b);

@@ -54,7 +54,7 @@ shift_sums(global const float4* restrict points,
     const int x = (int)clamp(dot(row_x, p), 0.0f, (float)last.x);
     const int y = (int)clamp(dot(row_y, p), 0.0f, (float)last.y);
     const int z = (int)clamp(dot(row_z, p), 0.0f, (float)last.z);
-    const int array =
+    const uint array =
         (x % every.x * every.y + y % every.y) * every.z + z % every.z;
     first[i] = array * size.x * size.y * size.z +
                (x / every.x * size.y + y / every.y) * size.z + z / every.z;

@@ -40,17 +40,30 @@ public:
     cells.size = {{grid.size.x(), grid.size.y(), grid.size.z(), 0}};
     cells.largest_known = grid.largest_known;
     cells.rounding = grid.rounding;
-    cells.nodes = program_->allocate<float>(grid.size.prod());
+    const std::size_t nodes = grid.size.cast<std::size_t>().prod();
+    cells.nodes = program_->allocate<float>(nodes);
     const Eigen::Matrix4Xf homogeneous = cloud.colwise().homogeneous();
     const cl::Buffer points = program_->upload(homogeneous.data(), homogeneous.size());
-    const cl::Buffer nearest = program_->allocate<cl_int>(grid.size.prod());
-    program_->run("nearest_to_nodes", grid.size.y() * grid.size.z(), points,
-                  static_cast<cl_uint>(cloud.cols()), cells.lower, cells.size, nearest,
-                  cells.nodes);
+    const cl::Buffer nearest = program_->allocate<cl_int>(nodes);
+    const DispatchLimits& limits = program_->limits();
+    nodes_.run(limits, static_cast<std::size_t>(grid.size.y()) * grid.size.z(),
+               (sizeof(float) + sizeof(cl_int)) * grid.size.x(),
+               static_cast<double>(cloud.cols()) * grid.size.x(),
+               [&](std::size_t begin, std::size_t end) {
+                 program_->run("nearest_to_nodes", end - begin,
+                               static_cast<cl_uint>(begin), points,
+                               static_cast<cl_uint>(cloud.cols()), cells.lower,
+                               cells.size, nearest, cells.nodes);
+               });
     const Eigen::Vector3i size = grid.size.array() - 1;
-    cells.bounds = program_->allocate<float>(4 * size.prod());
-    program_->run("cell_bounds", size.y() * size.z(), points, nearest, cells.lower,
-                  cells.size, grid.rounding, grid.border, cells.bounds);
+    cells.bounds = program_->allocate<float>(4 * size.cast<std::size_t>().prod());
+    fills_.run(limits, static_cast<std::size_t>(size.y()) * size.z(),
+               4 * sizeof(float) * size.x(), size.x(),
+               [&](std::size_t begin, std::size_t end) {
+                 program_->run("cell_bounds", end - begin, static_cast<cl_uint>(begin),
+                               points, nearest, cells.lower, cells.size, grid.rounding,
+                               grid.border, cells.bounds);
+               });
   }
 
   void
@@ -62,36 +75,36 @@ public:
          float limit,
          DistanceBounds* bounds)
   {
-    constexpr std::size_t batch = 1 << 16;
-    if (size > batch) {
-      lookUp(placements, batch, source_probes, target_probes, interpolate, limit,
-             bounds);
-      lookUp(placements + batch, size - batch, source_probes, target_probes,
-             interpolate, limit, bounds + batch);
-      return;
-    }
-    if (size == 0)
-      return;
+    const cl::Buffer of_source = uploaded(source_probes),
+                     of_target = uploaded(target_probes);
     const auto tiles = [](const Probes& probes) {
       return static_cast<cl_uint>(probes.rows() / 8);
     };
-    const cl::Buffer result = program_->allocate<float>(8 * size);
-    program_->run(
-        "distance_bounds", size, uploaded(source_probes), tiles(source_probes),
-        source_cells_.bounds, source_cells_.nodes, source_cells_.lower,
-        source_cells_.size, source_cells_.largest_known,
-        interpolate ? source_cells_.rounding : 0.0f, uploaded(target_probes),
-        tiles(target_probes), target_cells_.bounds, target_cells_.nodes,
-        target_cells_.lower, target_cells_.size, target_cells_.largest_known,
-        interpolate ? target_cells_.rounding : 0.0f,
-        program_->upload(placements->data(), size * Placement::SizeAtCompileTime),
-        static_cast<cl_uint>(size), limit, result);
-    std::vector<float> found(8 * size);
-    program_->download(result, found.data(), found.size());
-    for (std::size_t i = 0; i < size; ++i) {
-      const float* f = found.data() + 8 * i;
-      bounds[i] = {{f[0], f[2], f[4], f[6]}, {f[1], f[3], f[5], f[7]}};
-    }
+    const double operations =
+        static_cast<double>(source_probes.rows() + target_probes.rows());
+    look_ups_.run(
+        program_->limits(), size, 20 * sizeof(float), std::max(1.0, operations),
+        [&](std::size_t begin, std::size_t end) {
+          const std::size_t number = end - begin;
+          const cl::Buffer result = program_->allocate<float>(8 * number);
+          program_->run("distance_bounds", number, of_source, tiles(source_probes),
+                        source_cells_.bounds, source_cells_.nodes, source_cells_.lower,
+                        source_cells_.size, source_cells_.largest_known,
+                        interpolate ? source_cells_.rounding : 0.0f, of_target,
+                        tiles(target_probes), target_cells_.bounds, target_cells_.nodes,
+                        target_cells_.lower, target_cells_.size,
+                        target_cells_.largest_known,
+                        interpolate ? target_cells_.rounding : 0.0f,
+                        program_->upload(placements[begin].data(),
+                                         number * Placement::SizeAtCompileTime),
+                        static_cast<cl_uint>(number), limit, result);
+          std::vector<float> found(8 * number);
+          program_->download(result, found.data(), found.size());
+          for (std::size_t i = 0; i < number; ++i) {
+            const float* f = found.data() + 8 * i;
+            bounds[begin + i] = {{f[0], f[2], f[4], f[6]}, {f[1], f[3], f[5], f[7]}};
+          }
+        });
   }
 
 private:
@@ -103,6 +116,7 @@ private:
   }
 
   std::shared_ptr<OpenCLProgram> program_;
+  Dispatches nodes_, fills_, look_ups_;
   cl::Buffer nothing_;
   Cells source_cells_, target_cells_;
 };

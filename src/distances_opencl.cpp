@@ -4,8 +4,6 @@
 
 #include "distances_of_devices.h"
 
-#include <algorithm>
-
 namespace pcl {
 namespace kss {
 namespace {
@@ -45,13 +43,12 @@ public:
   void
   evaluate(const Placement* placements, std::size_t size, DirectedDistances* distances)
   {
-    // The scratch memory sets how many candidates fit into one dispatch: the paper's
-    // 1728 take 14 MB.
-    const std::size_t scratch = tiles_ * lanes * sizeof(float);
-    const std::size_t batch = std::max<std::size_t>(
-        1, std::min<std::size_t>(program_->largestBuffer() / scratch, 8192));
-    for (std::size_t begin = 0; begin < size; begin += batch)
-      dispatch(placements + begin, std::min(batch, size - begin), distances + begin);
+    const std::size_t bytes = sizeof(float) * (tiles_ * lanes + 16);
+    const double operations = static_cast<double>(source_points_) * target_points_;
+    dispatches_.run(program_->limits(), size, bytes, operations,
+                    [&](std::size_t begin, std::size_t end) {
+                      dispatch(placements + begin, end - begin, distances + begin);
+                    });
   }
 
 private:
@@ -72,6 +69,7 @@ private:
   }
 
   std::shared_ptr<OpenCLProgram> program_;
+  Dispatches dispatches_;
   cl::Buffer target_[3], source_;
   Eigen::Index target_points_ = 0, source_points_ = 0, tiles_ = 0;
   float limit_ = 0.0f;

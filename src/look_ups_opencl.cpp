@@ -21,9 +21,9 @@ constexpr Eigen::Index lanes = 8; // of a tile of points
 struct Cloud {
   Points all;
   cl::Buffer x, y, z, field;
-  cl_uint points;
-  cl_float4 lower;
-  cl_int4 size;
+  cl_uint points = 0;
+  cl_float4 lower = {};
+  cl_int4 size = {};
 };
 
 /** The look-ups of one device. */
@@ -39,19 +39,30 @@ public:
   setClouds(const Points& source, const Points& target, float limit)
   {
     // what has not changed stays on the device
-    const bool same_limit = limit == limit_;
+    if (limit != limit_)
+      source_ = target_ = Cloud();
     limit_ = limit;
     for (const auto& [cloud, points] :
          {std::tie(source_, source), std::tie(target_, target)})
-      if (!same_limit || !areEqual(cloud.all, points))
+      if (!areEqual(cloud.all, points))
         cloud = upload(points);
   }
 
   void
   evaluate(const Placement* placements, std::size_t size, DirectedDistances* distances)
   {
-    if (size == 0)
-      return;
+    const double operations =
+        static_cast<double>(source_.points) + static_cast<double>(target_.points);
+    dispatches_.run(program_->limits(), size, 16 * sizeof(float), operations,
+                    [&](std::size_t begin, std::size_t end) {
+                      dispatch(placements + begin, end - begin, distances + begin);
+                    });
+  }
+
+private:
+  void
+  dispatch(const Placement* placements, std::size_t size, DirectedDistances* distances)
+  {
     const cl::Buffer candidates =
         program_->upload(placements->data(), size * Placement::SizeAtCompileTime);
     const cl::Buffer result = program_->allocate<float>(4 * size);
@@ -64,7 +75,6 @@ public:
     program_->download(result, &distances->source_to_target, 4 * size);
   }
 
-private:
   Cloud
   upload(const Points& points)
   {
@@ -88,6 +98,7 @@ private:
   }
 
   std::shared_ptr<OpenCLProgram> program_;
+  Dispatches dispatches_;
   unsigned int probes_;
   Cloud source_, target_;
   float limit_ = 0.0f;

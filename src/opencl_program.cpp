@@ -4,7 +4,9 @@
 
 #include "opencl_program.h"
 
+#include "kernel_cache.h"
 #include "kernels.h"
+#include "opencl_discovery.h"
 
 #include <algorithm>
 #include <map>
@@ -15,104 +17,15 @@ namespace pcl {
 namespace kss {
 namespace {
 
-struct NamedDevice {
-  cl::Device device;
-  std::string name;
-  std::string platform;
+/** The kernels do not build on a device: they will not the next time. */
+class BuildFailure : public DeviceError {
+public:
+  using DeviceError::DeviceError;
 };
 
-/** All devices of all platforms; none where there is no platform. */
-std::vector<NamedDevice>
-allDevices()
-{
-  std::vector<NamedDevice> found;
-  try {
-    std::vector<cl::Platform> platforms;
-    cl::Platform::get(&platforms);
-    for (const cl::Platform& platform : platforms) {
-      std::vector<cl::Device> devices;
-      platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
-      for (const cl::Device& device : devices)
-        found.push_back({device,
-                         device.getInfo<CL_DEVICE_NAME>() + " (" +
-                             platform.getInfo<CL_PLATFORM_NAME>() + ")",
-                         platform.getInfo<CL_PLATFORM_NAME>()});
-    }
-  }
-  catch (const cl::Error&) {
-    // the ICD loader reports an error where no platform is installed
-  }
-  return found;
-}
-
-bool
-isOfType(const cl::Device& device, cl_device_type type)
-{
-  return (device.getInfo<CL_DEVICE_TYPE>() & type) != 0;
-}
-
-std::string
-inQuotes(const std::vector<NamedDevice>& devices)
-{
-  std::string text;
-  for (const NamedDevice& device : devices)
-    text += (text.empty() ? "\"" : ", \"") + device.name + "\"";
-  return text.empty() ? "none" : text;
-}
-
-/** The devices that a name stands for, at least one. */
-std::vector<NamedDevice>
-findDevices(const std::string& wanted)
-{
-  const auto devices = allDevices();
-  if (wanted == "auto") {
-    if (devices.empty())
-      throw DeviceError("There is no OpenCL device; install a driver, for example "
-                        "pocl-opencl-icd.");
-    const auto gpu =
-        std::find_if(devices.begin(), devices.end(), [](const NamedDevice& d) {
-          return isOfType(d.device, CL_DEVICE_TYPE_GPU);
-        });
-    return {gpu != devices.end() ? *gpu : devices.front()};
-  }
-  const auto holdsWanted = [&](const std::string& name) {
-    return name.find(wanted) != std::string::npos;
-  };
-  std::vector<NamedDevice> found;
-  for (const NamedDevice& device : devices)
-    if (holdsWanted(device.platform) &&
-        (found.empty() || found.front().platform == device.platform))
-      found.push_back(device);
-  for (const NamedDevice& device : devices)
-    if (found.empty() && holdsWanted(device.name))
-      found.push_back(device);
-  if (found.empty())
-    throw DeviceError("There is no OpenCL device \"" + wanted +
-                      "\"; there are: " + inQuotes(devices) + ".");
-  return found;
-}
-
-/** So many compute units of a CPU device; the whole device where it cannot be divided.
- */
-cl::Device
-partOf(const cl::Device& device, unsigned int threads)
-{
-  if (threads == 0 || !isOfType(device, CL_DEVICE_TYPE_CPU) ||
-      threads >= device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>())
-    return device;
-  try {
-    const cl_device_partition_property by_counts[] = {
-        CL_DEVICE_PARTITION_BY_COUNTS,
-        static_cast<cl_device_partition_property>(threads),
-        CL_DEVICE_PARTITION_BY_COUNTS_LIST_END, 0};
-    std::vector<cl::Device> parts;
-    cl::Device(device).createSubDevices(by_counts, &parts);
-    return parts.at(0);
-  }
-  catch (const cl::Error&) {
-    return device;
-  }
-}
+/** What the buffers of one dispatch take at most: the candidates of the paper, 1728 of
+ * 2000 points, take 14 MB. */
+constexpr cl_ulong most_bytes = 64 << 20;
 
 } // namespace
 
@@ -120,65 +33,86 @@ OpenCLProgram::OpenCLProgram(const cl::Device& device, const std::string& name)
 : name_(name)
 , device_(device)
 {
-  checked([&] {
+  call([&] {
     context_ = cl::Context(device_);
     queue_ = cl::CommandQueue(context_, device_);
     // A CPU fills its vectors within a work-item, and a group per candidate spreads the
     // work over its cores; a GPU fills its units with work-items.
-    group_ = isOfType(device_, CL_DEVICE_TYPE_CPU) ? 1 : 64;
-    program_ = cl::Program(context_, std::string(kernels::distances) +
-                                         kernels::look_ups + kernels::fields +
-                                         kernels::shift_sums + kernels::bounds);
-    try {
-      program_.build({device_}, "-cl-std=CL1.2");
-    }
-    catch (const cl::BuildError& error) {
-      throw DeviceError(
-          "The OpenCL device \"" + name_ +
-          "\" cannot build the kernels: " + error.getBuildLog().at(0).second);
-    }
+    group_ = device_.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU ? 1 : 64;
+    largest_buffer_ = device_.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
+    limits_.bytes =
+        std::min({most_bytes, device_.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>(),
+                  device_.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>() / 4});
+    limits_.at_once = group_ * device_.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+    build();
   });
 }
 
-std::size_t
-OpenCLProgram::largestBuffer() const
+void
+OpenCLProgram::build()
 {
-  return device_.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
+  program_ = cl::Program(context_, std::string(kernels::distances) + kernels::look_ups +
+                                       kernels::fields + kernels::shift_sums +
+                                       kernels::bounds);
+  try {
+    program_.build({device_}, "-cl-std=CL1.2");
+  }
+  catch (const cl::BuildError& error) {
+    if (error.err() != CL_BUILD_PROGRAM_FAILURE)
+      throw;
+    const cl::Platform platform(device_.getInfo<CL_DEVICE_PLATFORM>());
+    std::string why = kernelCacheProblem(platform.getInfo<CL_PLATFORM_NAME>());
+    if (why.empty())
+      for (const auto& log : error.getBuildLog())
+        why += " " + log.second;
+    throw BuildFailure(failureOf("The OpenCL device \"" + name_ + "\"", error) +
+                       ": it cannot build the kernels. Choose another device, or "
+                       "\"host\"." +
+                       why);
+  }
 }
 
-void
-OpenCLProgram::fail(const cl::Error& error) const
+DeviceError
+OpenCLProgram::tooLarge(std::size_t bytes) const
 {
-  throw DeviceError("The OpenCL device \"" + name_ + "\" failed in " + error.what() +
-                    " with error " + std::to_string(error.err()) + ".");
+  return DeviceError("The OpenCL device \"" + name_ + "\" takes buffers of " +
+                     std::to_string(largest_buffer_) + " bytes at most, not of " +
+                     std::to_string(bytes) +
+                     ". Choose another device, or \"host\", or fewer points.");
 }
 
 std::vector<std::shared_ptr<OpenCLProgram>>
 openCLPrograms(const std::string& name, unsigned int threads)
 {
-  using Programs = std::vector<std::shared_ptr<OpenCLProgram>>;
+  struct Known {
+    std::vector<std::shared_ptr<OpenCLProgram>> programs;
+    std::string build_failure;
+  };
+  enterOpenCL(); // before the lock, which a child may have inherited
   static std::mutex mutex;
   // never destroyed: the OpenCL driver may be gone before static objects are
-  static auto& known = *new std::map<std::pair<std::string, unsigned int>, Programs>;
+  static auto& all_known = *new std::map<std::pair<std::string, unsigned int>, Known>;
   const std::lock_guard<std::mutex> lock(mutex);
-  Programs& programs = known[{name, threads}];
-  if (programs.empty()) {
-    Programs built;
-    for (const NamedDevice& found : findDevices(name))
-      built.push_back(
-          std::make_shared<OpenCLProgram>(partOf(found.device, threads), found.name));
-    programs = built;
+  Known& known = all_known[{name, threads}];
+  if (!known.build_failure.empty())
+    throw DeviceError(known.build_failure);
+  if (std::any_of(known.programs.begin(), known.programs.end(),
+                  [](const auto& program) { return program->isLost(); }))
+    known.programs.clear();
+  if (known.programs.empty()) {
+    decltype(known.programs) built;
+    try {
+      for (const NamedDevice& found : findDevices(name))
+        built.push_back(
+            std::make_shared<OpenCLProgram>(partOf(found, threads), found.name));
+    }
+    catch (const BuildFailure& failure) {
+      known.build_failure = failure.what();
+      throw;
+    }
+    known.programs = built;
   }
-  return programs;
-}
-
-std::vector<std::string>
-openCLDeviceNames()
-{
-  std::vector<std::string> names;
-  for (const NamedDevice& device : allDevices())
-    names.push_back(device.name);
-  return names;
+  return known.programs;
 }
 
 } // namespace kss

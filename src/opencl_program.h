@@ -4,13 +4,10 @@
 
 #pragma once
 
-#define CL_HPP_TARGET_OPENCL_VERSION 120
-#define CL_HPP_MINIMUM_OPENCL_VERSION 120
-#define CL_HPP_ENABLE_EXCEPTIONS
-#include <pcl/registration/kss/opencl_devices.h>
+#include "dispatches.h"
+#include "opencl_calls.h"
 
-#include <CL/opencl.hpp>
-
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,10 +17,13 @@ namespace kss {
 
 /** \brief The kernels, built for one device, with a queue of their own.
  *
- * Every call that fails throws a DeviceError that names the call and the device.
+ * Every call that fails throws a DeviceError that names the call and the device. What
+ * has failed once is lost, and fails from then on: all of an alignment's evaluators
+ * leave a device together.
  */
 class OpenCLProgram {
 public:
+  /** \throws DeviceError */
   OpenCLProgram(const cl::Device& device, const std::string& name);
 
   /** \brief A buffer on the device with a copy of \a values. */
@@ -32,7 +32,7 @@ public:
   upload(const Value* values, std::size_t size)
   {
     const cl::Buffer buffer = allocate<Value>(size);
-    checked([&] {
+    call([&] {
       queue_.enqueueWriteBuffer(buffer, CL_TRUE, 0, size * sizeof(Value), values);
     });
     return buffer;
@@ -43,11 +43,10 @@ public:
   cl::Buffer
   allocate(std::size_t size)
   {
-    cl::Buffer buffer;
-    checked([&] {
-      buffer = cl::Buffer(context_, CL_MEM_READ_WRITE, size * sizeof(Value));
-    });
-    return buffer;
+    const std::size_t bytes = size * sizeof(Value);
+    if (bytes > largest_buffer_)
+      throw tooLarge(bytes);
+    return call([&] { return cl::Buffer(context_, CL_MEM_READ_WRITE, bytes); });
   }
 
   /** \brief Copy the first values of a buffer to the host. */
@@ -55,7 +54,7 @@ public:
   void
   download(const cl::Buffer& buffer, Value* values, std::size_t size)
   {
-    checked([&] {
+    call([&] {
       queue_.enqueueReadBuffer(buffer, CL_TRUE, 0, size * sizeof(Value), values);
     });
   }
@@ -69,7 +68,7 @@ public:
   void
   run(const char* kernel, std::size_t work_items, const Arguments&... arguments)
   {
-    checked([&] {
+    call([&] {
       cl::Kernel entry(program_, kernel);
       cl_uint index = 0;
       (entry.setArg(index++, arguments), ...);
@@ -80,9 +79,19 @@ public:
     });
   }
 
-  /** \brief Bytes of the largest buffer that the device takes. */
-  std::size_t
-  largestBuffer() const;
+  /** \brief What one dispatch takes. */
+  const DispatchLimits&
+  limits() const
+  {
+    return limits_;
+  }
+
+  /** \brief Whether a call has failed. */
+  bool
+  isLost() const
+  {
+    return is_lost_;
+  }
 
   /** \brief The device's name. */
   const std::string&
@@ -93,37 +102,49 @@ public:
 
 private:
   template <typename Work>
-  void
-  checked(const Work& work) const;
+  auto
+  call(const Work& work);
 
-  [[noreturn]] void
-  fail(const cl::Error& error) const;
+  void
+  build();
+
+  DeviceError
+  tooLarge(std::size_t bytes) const;
 
   std::string name_;
   cl::Device device_;
   cl::Context context_;
   cl::CommandQueue queue_;
   cl::Program program_;
-  std::size_t group_;
+  std::size_t group_ = 1;
+  std::size_t largest_buffer_ = 0;
+  DispatchLimits limits_{};
+  std::atomic<bool> is_lost_{false};
 };
 
 template <typename Work>
-void
-OpenCLProgram::checked(const Work& work) const
+auto
+OpenCLProgram::call(const Work& work)
 {
-  try {
-    work();
-  }
-  catch (const cl::Error& error) {
-    fail(error);
-  }
+  const std::string who = "The OpenCL device \"" + name_ + "\"";
+  if (is_lost_)
+    throw DeviceError(who + " failed before. Choose another device, or \"host\".");
+  return callOpenCL(who, [&] {
+    try {
+      return work();
+    }
+    catch (const cl::Error&) {
+      is_lost_ = true;
+      throw;
+    }
+  });
 }
 
 /** \brief The programs for the devices that a name stands for, at least one; built at
- * the first call and kept for later ones. \param[in] name part of a platform's name:
- * all its devices; part of a device's name: the first such device; "auto": the first
- * GPU, else the first device \param[in] threads compute units to use of a CPU device;
- * 0: all \throws DeviceError
+ * the first call and kept for later ones until one is lost. A build that has failed is
+ * not tried again. \param[in] name part of a platform's name: all its devices; part of
+ * a device's name: the first such device; "auto": the first GPU, else the first device
+ * \param[in] threads compute units to use of a CPU device; 0: all \throws DeviceError
  */
 std::vector<std::shared_ptr<OpenCLProgram>>
 openCLPrograms(const std::string& name, unsigned int threads);

@@ -38,6 +38,18 @@ public:
     }
   }
 
+  SeveralDevices(const SeveralDevices&) = delete;
+  SeveralDevices&
+  operator=(const SeveralDevices&) = delete;
+
+  /** \brief Not in a forked child: what the workers hold belongs to the parent. */
+  ~SeveralDevices()
+  {
+    if (isForkedFromOpenCL())
+      for (auto& worker : workers_)
+        static_cast<void>(worker.release());
+  }
+
   /** \brief Have each worker do something, one after the other. */
   template <typename Task>
   void
@@ -47,7 +59,9 @@ public:
       task(*worker);
   }
 
-  /** \brief Have all workers do their shares at once: task(worker, begin, end). */
+  /** \brief Have all workers do their shares at once: task(worker, begin, end). A share
+   * for which there is no more thread is done last.
+   */
   template <typename Task>
   void
   share(std::size_t size, const Task& task)
@@ -55,7 +69,7 @@ public:
     const std::size_t n = workers_.size();
     std::vector<std::future<void>> others;
     for (std::size_t w = 1; w < n; ++w)
-      others.push_back(std::async(std::launch::async, [&, w] {
+      others.push_back(std::async(std::launch::async | std::launch::deferred, [&, w] {
         task(*workers_[w], w * size / n, (w + 1) * size / n);
       }));
     task(*workers_[0], 0, size / n);

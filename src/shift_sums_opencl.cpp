@@ -33,14 +33,19 @@ public:
     const Eigen::Array3f& lower = lattice.lower();
     const Eigen::Array3f& step = lattice.step();
     const Eigen::Array3i& inner = lattice.inner();
-    std::vector<float> distances(inner.prod());
+    std::vector<float> distances(inner.cast<std::size_t>().prod());
+    const cl::Buffer cloud_points = program_->upload(points.data(), points.size());
     const cl::Buffer nodes = program_->allocate<float>(distances.size());
-    program_->run("node_distances", inner[0] * inner[1],
-                  program_->upload(points.data(), points.size()),
-                  static_cast<cl_uint>(points.cols()),
-                  cl_float4{{lower[2], lower[1], lower[0], 0.0f}},
-                  cl_float4{{step[2], step[1], step[0], 0.0f}},
-                  cl_int4{{inner[2], inner[1], inner[0], 0}}, nodes);
+    fields_.run(program_->limits(), static_cast<std::size_t>(inner[0]) * inner[1],
+                sizeof(float) * inner[2], static_cast<double>(points.cols()) * inner[2],
+                [&](std::size_t begin, std::size_t end) {
+                  program_->run("node_distances", end - begin,
+                                static_cast<cl_uint>(begin), cloud_points,
+                                static_cast<cl_uint>(points.cols()),
+                                cl_float4{{lower[2], lower[1], lower[0], 0.0f}},
+                                cl_float4{{step[2], step[1], step[0], 0.0f}},
+                                cl_int4{{inner[2], inner[1], inner[0], 0}}, nodes);
+                });
     program_->download(nodes, distances.data(), distances.size());
     const auto bytes = lattice.bytes(distances);
     field_ = program_->upload(bytes.data(), bytes.size());
@@ -58,22 +63,31 @@ public:
       std::size_t size,
       std::uint16_t* sums)
   {
-    if (size == 0)
-      return;
     const Eigen::Matrix4Xf homogeneous = points.colwise().homogeneous();
-    const std::size_t sums_size = 16 * number_of_rows_ * size;
-    const cl::Buffer result = program_->allocate<std::uint16_t>(sums_size);
-    program_->run(
-        "shift_sums", size, program_->upload(homogeneous.data(), homogeneous.size()),
-        static_cast<cl_uint>(points.cols()),
-        program_->upload(placements->data(), size * Placement::SizeAtCompileTime),
-        static_cast<cl_uint>(size), field_, last_, every_, size_, rows_,
-        number_of_rows_, result);
-    program_->download(result, sums, sums_size);
+    const cl::Buffer probes = program_->upload(homogeneous.data(), homogeneous.size());
+    const std::size_t sums_of_placement = 16 * std::size_t(number_of_rows_);
+    const std::size_t bytes =
+        sizeof(Placement) + sizeof(std::uint16_t) * sums_of_placement;
+    const double operations = static_cast<double>(points.cols()) * number_of_rows_;
+    sums_.run(program_->limits(), size, bytes, operations,
+              [&](std::size_t begin, std::size_t end) {
+                const std::size_t number = end - begin;
+                const cl::Buffer result =
+                    program_->allocate<std::uint16_t>(sums_of_placement * number);
+                program_->run("shift_sums", number, probes,
+                              static_cast<cl_uint>(points.cols()),
+                              program_->upload(placements[begin].data(),
+                                               number * Placement::SizeAtCompileTime),
+                              static_cast<cl_uint>(number), field_, last_, every_,
+                              size_, rows_, number_of_rows_, result);
+                program_->download(result, sums + sums_of_placement * begin,
+                                   sums_of_placement * number);
+              });
   }
 
 private:
   std::shared_ptr<OpenCLProgram> program_;
+  Dispatches fields_, sums_;
   cl::Buffer field_, rows_;
   cl_uint number_of_rows_ = 0;
   cl_int4 last_, every_, size_;
