@@ -26,10 +26,10 @@ public:
   explicit DeviceBounds(std::shared_ptr<OpenCLProgram> program)
   : program_(std::move(program))
   {
-    // what stands for the cells and the probes of a direction that does not matter
-    nothing_ = program_->allocate<float>(8);
-    for (Cells* cells : {&source_cells_, &target_cells_})
-      cells->bounds = cells->nodes = nothing_;
+    for (Cells* cells : {&source_cells_, &target_cells_}) {
+      cells->bounds = nothing();
+      cells->nodes = nothing();
+    }
   }
 
   void
@@ -112,12 +112,18 @@ private:
   uploaded(const Probes& probes)
   {
     return probes.size() > 0 ? program_->upload(probes.data(), probes.size())
-                             : nothing_;
+                             : nothing();
+  }
+
+  /** What stands for the cells and the probes of a direction that does not matter. */
+  cl::Buffer
+  nothing()
+  {
+    return program_->allocate<float>(8);
   }
 
   std::shared_ptr<OpenCLProgram> program_;
   Dispatches nodes_, fills_, look_ups_;
-  cl::Buffer nothing_;
   Cells source_cells_, target_cells_;
 };
 

@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include <pcl/registration/kss/stopping.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -35,6 +37,7 @@ public:
    * \param[in] bytes that an item takes on the device
    * \param[in] operations of an item, of any kind, but always the same
    * \param[in] dispatch what waits for the end of its work
+   * \throws Stopped between two dispatches
    */
   template <typename Dispatch>
   void
@@ -47,6 +50,7 @@ public:
     using Clock = std::chrono::steady_clock;
     const std::size_t fitting = std::max<std::size_t>(1, limits.bytes / bytes);
     for (std::size_t begin = 0; begin < size;) {
+      throwIfStopped();
       const double in_time = std::min(1e15, seconds * speed_ / operations);
       const std::size_t end =
           begin +

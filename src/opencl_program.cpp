@@ -102,9 +102,11 @@ openCLPrograms(const std::string& name, unsigned int threads)
   if (known.programs.empty()) {
     decltype(known.programs) built;
     try {
-      for (const NamedDevice& found : findDevices(name))
-        built.push_back(
-            std::make_shared<OpenCLProgram>(partOf(found, threads), found.name));
+      callOpenCL("OpenCL", [&] {
+        for (const NamedDevice& found : findDevices(name))
+          built.push_back(
+              std::make_shared<OpenCLProgram>(partOf(found, threads), found.name));
+      });
     }
     catch (const BuildFailure& failure) {
       known.build_failure = failure.what();

@@ -75,7 +75,13 @@ public:
       const std::size_t padded = (work_items + group_ - 1) / group_ * group_;
       queue_.enqueueNDRangeKernel(entry, cl::NullRange, cl::NDRange(padded),
                                   cl::NDRange(group_));
-      queue_.finish();
+      try {
+        queue_.finish();
+      }
+      catch (const cl::Error&) {
+        clFinish(queue_()); // once more, since buffers in use must not be released
+        throw;
+      }
     });
   }
 

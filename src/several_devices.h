@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include <pcl/registration/kss/stopping.h>
+
 #include "opencl_program.h"
 
 #include <cstddef>
@@ -33,8 +35,9 @@ public:
                  const Arguments&... arguments)
   {
     for (const auto& program : openCLPrograms(name, threads)) {
-      workers_.push_back(std::make_unique<Worker>(program, arguments...));
       name_ += (name_.empty() ? "" : " + ") + program->deviceName();
+      call(
+          [&] { workers_.push_back(std::make_unique<Worker>(program, arguments...)); });
     }
   }
 
@@ -56,7 +59,7 @@ public:
   forEach(const Task& task)
   {
     for (const auto& worker : workers_)
-      task(*worker);
+      call([&] { task(*worker); });
   }
 
   /** \brief Have all workers do their shares at once: task(worker, begin, end). A share
@@ -67,12 +70,14 @@ public:
   share(std::size_t size, const Task& task)
   {
     const std::size_t n = workers_.size();
+    const StopSignal* const signal = heededSignal();
     std::vector<std::future<void>> others;
     for (std::size_t w = 1; w < n; ++w)
       others.push_back(std::async(std::launch::async | std::launch::deferred, [&, w] {
-        task(*workers_[w], w * size / n, (w + 1) * size / n);
+        const HeedingSignal heeding(signal);
+        call([&] { task(*workers_[w], w * size / n, (w + 1) * size / n); });
       }));
-    task(*workers_[0], 0, size / n);
+    call([&] { task(*workers_[0], 0, size / n); });
     for (auto& other : others)
       other.get();
   }
@@ -85,6 +90,14 @@ public:
   }
 
 private:
+  /** Buffers that are replaced call OpenCL, too. */
+  template <typename Work>
+  void
+  call(const Work& work) const
+  {
+    callOpenCL("The OpenCL device \"" + name_ + "\"", work);
+  }
+
   std::vector<std::unique_ptr<Worker>> workers_;
   std::string name_;
 };

@@ -1,0 +1,151 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * A process forked from one that uses a device has none of the driver's threads.
+ */
+
+#include "evaluator_answers.h"
+#include "opencl_faults.h"
+
+#include <pcl/registration/kss/opencl_devices.h>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <functional>
+#include <thread>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+using namespace kss_test;
+using namespace pcl::kss;
+
+/** How a child ends that does something, ten seconds at most: 0, where that is true. */
+int
+inChild(const std::function<bool()>& work)
+{
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(10);
+    bool is_right = false;
+    try {
+      is_right = work();
+    }
+    catch (const std::exception& error) {
+      std::fprintf(stderr, "%s\n", error.what());
+    }
+    std::exit(is_right ? 0 : 1); // with all that is done at the end of a program
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+  return status;
+}
+
+class Fork : public ::testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    if (openCLDeviceNames().empty())
+      GTEST_SKIP() << "There is no OpenCL device on this machine.";
+    settings_.threads = 1;
+  }
+
+  Answers
+  onHost() const
+  {
+    Settings settings = settings_;
+    settings.device = "host";
+    return answersOf(settings);
+  }
+
+  Settings settings_;
+};
+
+TEST_F(Fork, LeavesTheWorkOfTheChildToTheHost)
+{
+  const Answers on_device = answersOf(settings_), on_host = onHost();
+  EXPECT_EQ(0, inChild([&] {
+              const Answers found = answersOf(settings_);
+              return found.device == "host" && found.bits == on_host.bits &&
+                     openCLDeviceNames().empty();
+            }));
+  EXPECT_EQ(on_device.bits, answersOf(settings_).bits);
+}
+
+TEST_F(Fork, LeavesTheWorkOfAParentsEvaluatorsToTheHost)
+{
+  auto evaluators = std::make_unique<Evaluators>(settings_);
+  evaluators->setClouds(100);
+  const Answers on_device = evaluators->ask(30), on_host = onHost();
+  EXPECT_NE("host", on_device.device);
+  EXPECT_EQ(0, inChild([&] {
+              const Answers found = evaluators->ask(30);
+              evaluators.reset();
+              return found.device == "host" && found.bits == on_host.bits;
+            }));
+  EXPECT_EQ(0, inChild([&] {
+              evaluators.reset();
+              return true;
+            }));
+  EXPECT_EQ(on_device.bits, evaluators->ask(30).bits);
+}
+
+TEST_F(Fork, IsAnErrorOfTheChildWhereItAsksForADevice)
+{
+  settings_.device = openCLDeviceNames().front();
+  auto evaluators = std::make_unique<Evaluators>(settings_);
+  evaluators->setClouds(100);
+  const auto isToldOfTheFork = [](const std::function<void()>& work) {
+    try {
+      work();
+    }
+    catch (const DeviceError& error) {
+      return std::string(error.what()).find("forked") != std::string::npos;
+    }
+    return false;
+  };
+  EXPECT_EQ(0, inChild([&] {
+              const bool is_told = isToldOfTheFork([&] { evaluators->ask(30); }) &&
+                                   isToldOfTheFork([&] { answersOf(settings_); });
+              evaluators.reset();
+              return is_told;
+            }));
+}
+
+TEST_F(Fork, DoesNotWaitForAThreadOfTheParent)
+{
+  // some of these forks happen while that thread has whatever can be locked
+  answersOf(settings_);
+  std::atomic<bool> is_done{false};
+  std::thread other([&] {
+    while (!is_done)
+      makeOpenCLEvaluator("auto", 1);
+  });
+  for (int i = 0; i < 30; ++i)
+    EXPECT_EQ(
+        0, inChild([&] { return makeEvaluator(settings_)->deviceName() == "host"; }));
+  is_done = true;
+  other.join();
+}
+
+/** Before anything else here has called OpenCL: run by ctest on its own. */
+TEST(ForkBefore, LeavesTheChildItsDevice)
+{
+  if (callsOf("clGetPlatformIDs") > 0)
+    GTEST_SKIP() << "This process has called OpenCL.";
+  Settings settings;
+  const auto hasDevice = [&] {
+    return makeEvaluator(settings)->deviceName() != "host";
+  };
+  const int status = inChild(hasDevice);
+  if (!hasDevice())
+    GTEST_SKIP() << "There is no OpenCL device on this machine.";
+  EXPECT_EQ(0, status);
+}
+
+} // namespace
