@@ -114,6 +114,9 @@ private:
   void
   build();
 
+  std::string
+  buildLog() const;
+
   DeviceError
   tooLarge(std::size_t bytes) const;
 

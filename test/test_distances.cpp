@@ -71,11 +71,14 @@ randomPlacements(std::size_t number, unsigned int seed)
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> scale(0.5, 2.0);
   std::vector<Placement> placements;
-  for (std::size_t i = 0; i < number; ++i)
+  for (std::size_t i = 0; i < number; ++i) {
+    // one after the other: a compiler evaluates arguments in any order
+    const auto shift = randomVector(random, 0.3);
+    const double factor = scale(random);
+    const auto rotation = randomRotation(random);
     placements.push_back(
-        similarity(randomRotation(random), scale(random), randomVector(random, 0.3))
-            .topRows<3>()
-            .cast<float>());
+        similarity(rotation, factor, shift).topRows<3>().cast<float>());
+  }
   return placements;
 }
 
