@@ -36,8 +36,9 @@ DistanceField::DistanceField(const Points& points, float cell, float margin)
 
   // Squared distances first. Every cell that holds a point knows it; then each cell
   // asks the one before it, along all axes, to and fro, twice (after P.-E. Danielsson,
-  // "Euclidean Distance Mapping", 1980): the rare cell that misses its nearest point
-  // has another one hardly farther away.
+  // "Euclidean Distance Mapping", 1980): a cell that misses its nearest point has
+  // another one hardly farther away. From a point's cell the first round alone reaches
+  // every cell by steps along x, then y, then z, each of which adds an edge at most.
   const auto offer = [&](std::size_t index, const Eigen::Vector3f& center, int point) {
     const float squared = (points.col(point) - center).squaredNorm();
     if (squared < distances_[index]) {

@@ -12,8 +12,12 @@
 namespace pcl {
 namespace kss {
 
-/** \brief A grid around a cloud, each cell of which knows the point nearest to its
- * centre.
+/** \brief A grid around a cloud, each cell of which knows a point near to its centre.
+ *
+ * Hardly ever is another point nearer by as much as an edge of a cell, though where a
+ * cell holds several points, its neighbours learn of one of them alone. For sure, with h
+ * half a diagonal of a cell: the point is no farther from the centre than sqrt(3) times
+ * the distance of the nearest one and (1 + sqrt(3)) h.
  */
 class DistanceField {
 public:
@@ -34,7 +38,7 @@ public:
            inside.x();
   }
 
-  /** \brief The point nearest to the centre of a cell. */
+  /** \brief The point near to the centre of a cell. */
   int
   nearest(std::size_t cell) const
   {

@@ -65,8 +65,9 @@ public:
 };
 
 /** \brief All pairs of points, where the settings say: with the device "auto" the host
- * takes over, with one warning, where no OpenCL device can be had.
- * \throws DeviceError where a device asked for by name cannot be had
+ * takes over, with one warning, where no OpenCL device can be had, and when it fails.
+ * \throws DeviceError where a device asked for by name cannot be had; so do its calls
+ *   where it fails
  */
 std::unique_ptr<DistanceEvaluator>
 makeEvaluator(const Settings& settings);
@@ -93,9 +94,11 @@ makeOpenCLEvaluator(const std::string& device, unsigned int threads);
 
 /** \brief Look-ups in distance fields on the host.
  *
- * A distance is that of the centre of the field's cell that a point falls into: it is
- * off by half a diagonal of a cell at most within the field, whose margin is as wide as
- * the limit.
+ * A distance is that of the centre of the field's cell that a point falls into, within
+ * the field, whose margin is twice as wide as the limit. It is too short by half a
+ * diagonal of a cell at most. It is seldom too long by more, since few cells miss their
+ * nearest point by much (see DistanceField); for sure it is no longer than sqrt(3) times
+ * the true one and 2.3 diagonals.
  * \param[in] threads 0: as many as there are cores
  * \param[in] probes points of each cloud, the first ones, whose distances are looked up
  */

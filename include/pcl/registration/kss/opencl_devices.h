@@ -17,7 +17,9 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/** \brief The names of all OpenCL devices of this machine, "device (platform)". */
+/** \brief The names of all OpenCL devices of this machine, "device (platform)"; none in
+ * a process forked from one that has used OpenCL, since no driver survives that.
+ */
 std::vector<std::string>
 openCLDeviceNames();
 
