@@ -508,14 +508,14 @@ TEST(NoKernelCache, IsToldAsWhatItIs)
   const char* folder = std::getenv("POCL_CACHE_DIR");
   if (!folder || std::ofstream(std::string(folder) + "/some_file"))
     GTEST_SKIP() << "POCL_CACHE_DIR can be written.";
+  if (access("/etc/OpenCL/vendors/pocl.icd", R_OK) != 0)
+    GTEST_SKIP() << "PoCL is not installed.";
   try {
     makeOpenCLEvaluator("auto", 0);
     GTEST_SKIP() << "The device needs no such folder.";
   }
   catch (const DeviceError& error) {
     const std::string text = error.what();
-    if (text.find("install") != std::string::npos && text.find("POCL") == text.npos)
-      GTEST_SKIP() << "There is no OpenCL device on this machine.";
     for (const char* part : {folder, "cannot be written", "Set POCL_CACHE_DIR"})
       EXPECT_NE(std::string::npos, text.find(part)) << text;
   }
