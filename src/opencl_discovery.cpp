@@ -5,14 +5,48 @@
 #include "opencl_discovery.h"
 
 #include "kernel_cache.h"
+#include "signal_handlers.h"
 
 #include <algorithm>
+#include <atomic>
+#include <future>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 namespace pcl {
 namespace kss {
 namespace {
 
 constexpr cl_int no_platform = -1001; // CL_PLATFORM_NOT_FOUND_KHR, of the ICD loader
+
+/** Throw where the system does not start a thread for each core: drivers for CPUs do,
+ * when they come up, and PoCL ends the process where it cannot. */
+void
+throwIfThreadsAreShort()
+{
+  static std::atomic<bool> driver_is_up{false};
+  if (driver_is_up)
+    return;
+  std::promise<void> all_started;
+  const std::shared_future<void> end = all_started.get_future();
+  std::vector<std::thread> threads;
+  bool is_short = false;
+  try {
+    for (unsigned int t = 0; t < std::max(1u, std::thread::hardware_concurrency()); ++t)
+      threads.emplace_back([end] { end.wait(); });
+  }
+  catch (const std::system_error&) {
+    is_short = true;
+  }
+  all_started.set_value();
+  for (std::thread& thread : threads)
+    thread.join();
+  if (is_short)
+    throw DeviceError("The system starts no more threads, which OpenCL drivers need. "
+                      "Raise its limit (ulimit -u), or choose the device \"host\".");
+  driver_is_up = true;
+}
 
 struct Discovery {
   std::vector<NamedDevice> devices;
@@ -47,6 +81,8 @@ Discovery
 discover()
 {
   enterOpenCL();
+  throwIfThreadsAreShort();
+  const KeptSignalHandlers kept; // drivers come up here
   Discovery found;
   std::vector<cl::Platform> platforms;
   try {
