@@ -4,28 +4,16 @@
 
 #include "fields.h"
 
+#include "numbers.h"
+
 #include <pcl/common/io.h>
-#include <pcl/pcl_config.h>
 
 #include <algorithm>
 #include <cstring>
+#include <set>
 #include <stdexcept>
 
 namespace tool {
-namespace {
-
-/** Fields need not lie where their type may be read from. */
-template <typename T>
-double
-load(const std::uint8_t* bytes)
-{
-  T value;
-  std::memcpy(&value, bytes, sizeof value);
-  return static_cast<double>(value);
-}
-
-} // namespace
-
 std::size_t
 numberOfPoints(const pcl::PCLPointCloud2& cloud)
 {
@@ -82,33 +70,12 @@ getNumber(const pcl::PCLPointField& field,
           const std::uint8_t* point,
           std::size_t element)
 {
-  const std::uint8_t* bytes =
-      point + field.offset + element * pcl::getFieldSize(field.datatype);
-  switch (field.datatype) {
-  case pcl::PCLPointField::INT8:
-    return load<std::int8_t>(bytes);
-  case pcl::PCLPointField::UINT8:
-    return load<std::uint8_t>(bytes);
-  case pcl::PCLPointField::INT16:
-    return load<std::int16_t>(bytes);
-  case pcl::PCLPointField::UINT16:
-    return load<std::uint16_t>(bytes);
-  case pcl::PCLPointField::INT32:
-    return load<std::int32_t>(bytes);
-  case pcl::PCLPointField::UINT32:
-    return load<std::uint32_t>(bytes);
-  case pcl::PCLPointField::FLOAT32:
-    return load<float>(bytes);
-  case pcl::PCLPointField::FLOAT64:
-    return load<double>(bytes);
-#if PCL_VERSION_COMPARE(>=, 1, 13, 0)
-  case pcl::PCLPointField::INT64:
-    return load<std::int64_t>(bytes);
-  case pcl::PCLPointField::UINT64:
-    return load<std::uint64_t>(bytes);
-#endif
-  }
-  throw std::runtime_error("field '" + field.name + "' has an unknown type");
+  const std::uint8_t* bytes = point + field.offset;
+  return withType(field.datatype, [&](auto value) {
+    // Fields need not lie where their type may be read from.
+    std::memcpy(&value, bytes + element * sizeof value, sizeof value);
+    return static_cast<double>(value);
+  });
 }
 
 void
@@ -120,6 +87,21 @@ setNumber(const pcl::PCLPointField& field, std::uint8_t* point, double value)
   }
   else
     std::memcpy(point + field.offset, &value, sizeof value);
+}
+
+void
+checkNames(const std::vector<std::string>& names)
+{
+  // More would be another file's data, and each takes room however short its name is.
+  constexpr std::size_t most = 1000;
+  if (names.size() > most)
+    throw std::runtime_error("has " + std::to_string(names.size()) +
+                             " fields or columns; " + std::to_string(most) +
+                             " are the most that can be read");
+  std::set<std::string> taken;
+  for (const auto& name : names)
+    if (name != "_" && !taken.insert(name).second)
+      throw std::runtime_error("has two fields '" + name.substr(0, 40) + "'");
 }
 
 void

@@ -57,6 +57,12 @@ getNumber(const pcl::PCLPointField& field,
 void
 setNumber(const pcl::PCLPointField& field, std::uint8_t* point, double value);
 
+/** \brief Check the names of the fields in a file.
+ * \throws std::runtime_error where there are too many, or two of one name
+ */
+void
+checkNames(const std::vector<std::string>& names);
+
 /** \brief Add a field at the end of a cloud that has no points yet. */
 void
 addField(pcl::PCLPointCloud2& cloud, const std::string& name, std::uint8_t datatype);

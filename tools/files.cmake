@@ -3,22 +3,25 @@
 if(TARGET pcl_kss_icp_files)
   return()
 endif()
-find_package(assimp REQUIRED)
 find_package(PCL 1.12 REQUIRED COMPONENTS common io)
 
 set(files_dir ${CMAKE_CURRENT_LIST_DIR})
 add_library(pcl_kss_icp_files STATIC
+  ${files_dir}/numbers.cpp
   ${files_dir}/fields.cpp
   ${files_dir}/vector_field.cpp
   ${files_dir}/geometry.cpp
   ${files_dir}/file_format.cpp
   ${files_dir}/text_lines.cpp
   ${files_dir}/read_geometry.cpp
+  ${files_dir}/pcd_header.cpp
   ${files_dir}/read_pcd.cpp
   ${files_dir}/ply_header.cpp
+  ${files_dir}/ply_values.cpp
   ${files_dir}/read_ply.cpp
   ${files_dir}/read_off.cpp
-  ${files_dir}/read_with_assimp.cpp
+  ${files_dir}/read_obj.cpp
+  ${files_dir}/read_stl.cpp
   ${files_dir}/read_text.cpp
   ${files_dir}/mesh_sampling.cpp
   ${files_dir}/write_geometry.cpp
@@ -30,4 +33,4 @@ target_compile_options(pcl_kss_icp_files PRIVATE -Wall -Wextra)
 target_include_directories(pcl_kss_icp_files PUBLIC ${files_dir})
 target_link_libraries(pcl_kss_icp_files
   PUBLIC pcl_common Eigen3::Eigen
-  PRIVATE pcl_io assimp::assimp)
+  PRIVATE pcl_io)

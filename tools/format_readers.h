@@ -6,33 +6,38 @@
 
 #include "geometry.h"
 
-#include <string>
+#include <istream>
 
 /** \file
  * One reader for each file format. They throw a std::runtime_error that says what is
- * wrong with the file, but not which file it is.
+ * wrong with the file, but not which file it is. What they need of memory follows from the file's size, and
+ * not from what its header says.
  */
 
 namespace tool {
 
 /** \brief Read a PCD file. */
 Geometry
-readPCD(const std::string& path);
+readPCD(std::istream& stream);
 
 /** \brief Read a PLY file. */
 Geometry
-readPLY(const std::string& path);
+readPLY(std::istream& stream);
 
 /** \brief Read an OFF file. */
 Geometry
-readOFF(const std::string& path);
+readOFF(std::istream& stream);
 
-/** \brief Read an OBJ or STL file. */
+/** \brief Read an OBJ file. */
 Geometry
-readWithAssimp(const std::string& path);
+readOBJ(std::istream& stream);
+
+/** \brief Read an STL file, binary or text. */
+Geometry
+readSTL(std::istream& stream);
 
 /** \brief Read a file of columns: x, y, z and whatever follows. */
 Geometry
-readText(const std::string& path);
+readText(std::istream& stream);
 
 } // namespace tool

@@ -4,20 +4,25 @@
 
 #pragma once
 
+#include "text_lines.h"
+
 #include <cstdint>
-#include <istream>
 #include <string>
 #include <vector>
 
 namespace tool {
 
-/** \brief The header of a PLY file. */
+/** \brief The header of a PLY file, in which every line is understood. */
 struct PLYHeader {
+  enum class Encoding { ASCII, LITTLE, BIG };
+
   struct Property {
     std::string name;
-    std::string type;
-    /** \brief The type of a list's length; empty where the property is no list. */
-    std::string length_type;
+    /** \brief The type as PCL numbers them. */
+    std::uint8_t datatype = 0;
+    /** \brief Whether the property is a list, and the type of its length. */
+    bool is_list = false;
+    std::uint8_t length_datatype = 0;
   };
 
   struct Element {
@@ -29,26 +34,25 @@ struct PLYHeader {
     const Property*
     find(const std::string& property) const;
 
-    /** \brief The bytes that the element takes in a binary file with empty lists. */
+    /** \brief The least bytes that an element takes in the file: its lists may be
+     * empty. */
     std::uint64_t
-    leastBytes() const;
+    leastBytes(Encoding encoding) const;
   };
 
   /** \brief Read a header up to and with its end_header.
    * \throws std::runtime_error where it is wrong or cut short
    */
-  explicit PLYHeader(std::istream& stream);
+  explicit PLYHeader(TextLines& lines);
 
   /** \brief The element of that name, or null. */
   const Element*
   find(const std::string& element) const;
 
-  bool ascii = false;
+  Encoding encoding = Encoding::ASCII;
   std::vector<Element> elements;
   /** \brief Columns and rows of an organised cloud; 0 where the header has none. */
   std::uint64_t columns = 0, rows = 0;
-  /** \brief How many lines the header has. */
-  std::size_t lines = 0;
 };
 
 } // namespace tool

@@ -11,43 +11,64 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 
 namespace tool {
 namespace {
 
-void
-checkReadable(const std::string& path)
+/** Differences of such numbers are floats, too. */
+constexpr double LARGEST_COORDINATE = 1e38;
+
+std::string
+inShort(double number)
 {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+/** Open a file for reading. What is no file is refused before it is opened: pipes would
+ * block there, and some devices never end. */
+std::ifstream
+open(const std::string& path)
+{
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status))
+    throw std::runtime_error(error ? error.message() : "No such file or directory");
+  if (!std::filesystem::is_regular_file(status))
+    throw std::runtime_error("is not a regular file");
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
     throw std::runtime_error(std::strerror(errno));
-  if (std::filesystem::is_directory(path))
-    throw std::runtime_error("is a directory");
   if (stream.peek() == std::ifstream::traits_type::eof())
     throw std::runtime_error("the file is empty");
+  return stream;
 }
 
 Geometry
-readAs(FileFormat format, const std::string& path)
+readAs(FileFormat format, std::istream& stream)
 {
   switch (format) {
   case FileFormat::PCD:
-    return readPCD(path);
+    return readPCD(stream);
   case FileFormat::PLY:
-    return readPLY(path);
+    return readPLY(stream);
   case FileFormat::OFF:
-    return readOFF(path);
+    return readOFF(stream);
   case FileFormat::OBJ:
+    return readOBJ(stream);
   case FileFormat::STL:
-    return readWithAssimp(path);
+    return readSTL(stream);
   case FileFormat::TEXT:
-    return readText(path);
+    return readText(stream);
   }
   throw std::logic_error("format without a reader");
 }
@@ -66,6 +87,14 @@ check(const Geometry& geometry)
     throw std::runtime_error("the file is damaged or incomplete");
 
   const Points points = positionsOf(geometry);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (const double coordinate : points[i])
+      if (std::isfinite(coordinate) && std::abs(coordinate) > LARGEST_COORDINATE)
+        throw std::runtime_error(
+            "point " + std::to_string(i + 1) + " has the coordinate " +
+            inShort(coordinate) +
+            ", which single precision cannot carry; remove the point, or, if the file "
+            "names the wrong types for its data, correct them");
   if (std::none_of(points.begin(), points.end(),
                    [](const Eigen::Vector3d& point) { return point.allFinite(); }))
     throw std::runtime_error("has no finite points");
@@ -85,8 +114,10 @@ readGeometry(const std::string& path)
 {
   const FileFormat format = fileFormatOf(path);
   try {
-    checkReadable(path);
-    Geometry geometry = readAs(format, path);
+    std::ifstream stream = open(path);
+    Geometry geometry = readAs(format, stream);
+    if (stream.bad())
+      throw std::runtime_error("cannot be read to its end");
     check(geometry);
     return geometry;
   }

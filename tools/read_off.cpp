@@ -7,7 +7,6 @@
 #include "text_lines.h"
 
 #include <cmath>
-#include <fstream>
 #include <regex>
 #include <stdexcept>
 
@@ -56,9 +55,8 @@ nameColumns(const std::string& keyword, std::size_t columns)
 } // namespace
 
 Geometry
-readOFF(const std::string& path)
+readOFF(std::istream& stream)
 {
-  std::ifstream stream(path);
   TextLines lines(stream);
   nextLine(lines);
   std::string keyword;

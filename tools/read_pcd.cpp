@@ -2,181 +2,150 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
+#include "fields.h"
+#include "file_bytes.h"
 #include "format_readers.h"
-#include "text_lines.h"
+#include "numbers.h"
+#include "pcd_header.h"
 
-#include <pcl/common/io.h>
-#include <pcl/io/pcd_io.h>
+#include <pcl/io/lzf.h>
 
-#include <boost/algorithm/string/classification.hpp>
-#include <boost/algorithm/string/split.hpp>
-#include <boost/algorithm/string/trim.hpp>
-#include <boost/lexical_cast/try_lexical_convert.hpp>
-
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <map>
+#include <cstring>
 #include <stdexcept>
+
+/** \file
+ * PCL 1.13 crashes on headers with a word that it does not know, and takes rows and
+ * compressed data that are cut short for complete ones.
+ */
 
 namespace tool {
 namespace {
 
-/** The header, checked before PCL sees the file: PCL 1.13 crashes on a header that is
- * cut short, and takes rows and compressed data that are cut short for complete ones.
- */
-class Header {
-public:
-  explicit Header(std::istream& stream)
-  {
-    for (std::string line; !entries_.count("DATA") && std::getline(stream, line);) {
-      ++lines_;
-      boost::trim(line);
-      if (line.empty() || line[0] == '#')
-        continue;
-      std::vector<std::string> words;
-      boost::split(words, line, boost::is_any_of(" \t"), boost::token_compress_on);
-      const std::string key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
-      words.erase(words.begin());
-      entries_[key] = words;
-    }
-    // A last line without its end may be cut short.
-    if (!entries_.count("DATA") || stream.eof())
-      throw std::runtime_error("is no PCD file, or the file ends within its header");
-  }
+using Bytes = std::vector<std::uint8_t>;
 
-  std::size_t
-  lines() const
-  {
-    return lines_;
-  }
-
-  /** "ascii", "binary" or "binary_compressed". */
-  std::string
-  encoding() const
-  {
-    return words("DATA", 1)[0];
-  }
-
-  std::uint64_t
-  points() const
-  {
-    const auto points = numbers("POINTS", 1)[0];
-    const auto width = numbers("WIDTH", 1)[0];
-    const auto height = numbers("HEIGHT", 1)[0];
-    if (points == 0)
-      throw std::runtime_error("holds no points");
-    if (width == 0 || points % width != 0 || points / width != height ||
-        points > std::numeric_limits<std::int32_t>::max())
-      throw std::runtime_error("POINTS is not WIDTH times HEIGHT in its header");
-    return points;
-  }
-
-  /** How many numbers a point has. */
-  std::uint64_t
-  columns() const
-  {
-    std::uint64_t columns = 0;
-    for (const auto count : counts())
-      columns += count;
-    return columns;
-  }
-
-  /** How many bytes a point has. */
-  std::uint64_t
-  bytes() const
-  {
-    const auto count = counts();
-    const auto sizes = numbers("SIZE", count.size());
-    const auto types = words("TYPE", count.size());
-    std::uint64_t bytes = 0;
-    for (std::size_t i = 0; i < count.size(); ++i) {
-      const bool is_number = types[i] == "F" || types[i] == "I" || types[i] == "U";
-      if (!is_number || pcl::getFieldType(sizes[i], types[i][0]) < 0)
-        throw std::runtime_error("has a field of unknown TYPE and SIZE " + types[i] +
-                                 ' ' + std::to_string(sizes[i]));
-      bytes += sizes[i] * count[i];
-    }
-    return bytes;
-  }
-
-private:
-  std::vector<std::uint64_t>
-  counts() const
-  {
-    const auto entry = entries_.find("FIELDS");
-    if (entry == entries_.end() || entry->second.empty())
-      throw std::runtime_error("has no FIELDS in its header");
-    const std::size_t fields = entry->second.size();
-    if (!entries_.count("COUNT"))
-      return std::vector<std::uint64_t>(fields, 1);
-    return numbers("COUNT", fields);
-  }
-
-  std::vector<std::string>
-  words(const std::string& key, std::size_t number) const
-  {
-    const auto entry = entries_.find(key);
-    if (entry == entries_.end() || entry->second.size() != number)
-      throw std::runtime_error("has no " + key + " in its header, or not one for each");
-    return entry->second;
-  }
-
-  std::vector<std::uint64_t>
-  numbers(const std::string& key, std::size_t number) const
-  {
-    std::vector<std::uint64_t> numbers;
-    for (const auto& word : words(key, number)) {
-      std::uint32_t value;
-      if (word[0] == '-' || !boost::conversion::try_lexical_convert(word, value))
-        throw std::runtime_error("'" + word + "' is no " + key + " in its header");
-      numbers.push_back(value);
-    }
-    return numbers;
-  }
-
-  std::map<std::string, std::vector<std::string>> entries_;
-  std::size_t lines_ = 0;
-};
-
-/** Check that all data are there that the header announces. */
-void
-checkComplete(const std::string& path)
+[[noreturn]] void
+failIncomplete(const PCDHeader& header)
 {
-  std::ifstream stream(path, std::ios::binary);
-  const Header header(stream);
-  const std::uint64_t size = header.points() * header.bytes();
-  const std::uint64_t remaining =
-      std::filesystem::file_size(path) - static_cast<std::uint64_t>(stream.tellg());
-  bool complete = false;
-  if (header.encoding() == "ascii")
-    complete = countRows(stream, header.lines(), header.columns()) == header.points();
-  else if (header.encoding() == "binary")
-    complete = remaining >= size;
-  else if (header.encoding() == "binary_compressed") {
-    std::uint32_t sizes[2] = {}; // compressed and not
-    stream.read(reinterpret_cast<char*>(sizes), sizeof sizes);
-    complete = stream && remaining - sizeof sizes >= sizes[0] && sizes[1] == size;
+  throw std::runtime_error("holds fewer or more data than the " +
+                           std::to_string(header.points) +
+                           " points of its header; the file is damaged or incomplete");
+}
+
+Bytes
+readRows(const PCDHeader& header, TextLines& lines)
+{
+  // by the file, not by what its header says
+  Bytes data;
+  std::uint64_t columns = 0;
+  for (const auto& field : header.fields)
+    columns += field.count;
+  std::uint64_t rows = 0;
+  for (; lines.next(); ++rows) {
+    const auto& words = lines.words();
+    if (words.size() != columns)
+      lines.fail("has " + std::to_string(words.size()) + " numbers instead of " +
+                 std::to_string(columns) + "; the file is damaged or incomplete");
+    if (rows == header.points)
+      failIncomplete(header);
+    data.resize(data.size() + header.point_step);
+    std::uint8_t* to = &data[rows * header.point_step];
+    auto word = words.begin();
+    for (const auto& field : header.fields)
+      for (std::uint32_t i = 0; i < field.count; ++i, ++word) {
+        if (!parseNumber(*word, field.datatype, to))
+          lines.failAt(*word, "is not a number, or none that the type of field '" +
+                                  field.name + "' can hold");
+        to += sizeOf(field) / field.count;
+      }
   }
-  else
-    throw std::runtime_error("has unknown DATA '" + header.encoding() + "'");
-  if (!complete)
-    throw std::runtime_error(
-        "holds fewer or more data than the " + std::to_string(header.points()) +
-        " points of its header; the file is damaged or incomplete");
+  if (rows != header.points)
+    failIncomplete(header);
+  return data;
+}
+
+/** Writers may fill a file up with zeros, but not with anything else. */
+void
+expectOnlyZeros(const PCDHeader& header, std::istream& stream)
+{
+  for (int byte = stream.get(); stream; byte = stream.get())
+    if (byte != 0)
+      failIncomplete(header);
+}
+
+Bytes
+readBinary(const PCDHeader& header, std::istream& stream)
+{
+  if (header.points > remainingBytes(stream) / header.point_step)
+    failIncomplete(header);
+  Bytes data(header.points * header.point_step);
+  stream.read(reinterpret_cast<char*>(data.data()), data.size());
+  if (!stream)
+    failIncomplete(header);
+  expectOnlyZeros(header, stream);
+  return data;
+}
+
+/** Read compressed data, in which all values of a field stand together. */
+Bytes
+readCompressed(const PCDHeader& header, std::istream& stream)
+{
+  std::uint32_t sizes[2] = {}; // compressed and not
+  stream.read(reinterpret_cast<char*>(sizes), sizeof sizes);
+  // Three bytes stand for 264 at most.
+  constexpr std::uint64_t highest_ratio = 88;
+  if (!stream || sizes[0] > remainingBytes(stream) ||
+      sizes[1] > sizes[0] * highest_ratio ||
+      sizes[1] != header.points * header.point_step)
+    failIncomplete(header);
+  Bytes compressed(sizes[0]);
+  stream.read(reinterpret_cast<char*>(compressed.data()), compressed.size());
+  if (!stream)
+    failIncomplete(header);
+  expectOnlyZeros(header, stream);
+  Bytes columns(sizes[1]);
+  if (pcl::lzfDecompress(compressed.data(), sizes[0], columns.data(), sizes[1]) !=
+      sizes[1])
+    throw std::runtime_error("its compressed data are damaged");
+
+  Bytes data(columns.size());
+  const std::uint8_t* from = columns.data();
+  for (const auto& field : header.fields)
+    for (std::uint64_t i = 0; i < header.points; ++i, from += sizeOf(field))
+      std::memcpy(&data[i * header.point_step + field.offset], from, sizeOf(field));
+  return data;
 }
 
 } // namespace
 
 Geometry
-readPCD(const std::string& path)
+readPCD(std::istream& stream)
 {
-  checkComplete(path);
+  TextLines lines(stream, TextLines::Style::STRICT);
+  const PCDHeader header(lines);
+  // A last line without its end may be cut short.
+  if (stream.eof())
+    throw std::runtime_error("the file ends within its header");
+
   Geometry geometry;
-  int version;
-  if (pcl::PCDReader().read(path, geometry.cloud, geometry.sensor_origin,
-                            geometry.sensor_orientation, version) < 0)
-    throw std::runtime_error("the file is damaged");
+  auto& cloud = geometry.cloud;
+  cloud.fields = header.fields;
+  cloud.width = static_cast<pcl::uindex_t>(header.width);
+  cloud.height = static_cast<pcl::uindex_t>(header.height);
+  cloud.point_step = static_cast<pcl::uindex_t>(header.point_step);
+  cloud.row_step = cloud.point_step * cloud.width;
+  geometry.sensor_origin = header.sensor_origin;
+  geometry.sensor_orientation = header.sensor_orientation;
+  switch (header.encoding) {
+  case PCDHeader::Encoding::ASCII:
+    cloud.data = readRows(header, lines);
+    break;
+  case PCDHeader::Encoding::BINARY:
+    cloud.data = readBinary(header, stream);
+    break;
+  case PCDHeader::Encoding::COMPRESSED:
+    cloud.data = readCompressed(header, stream);
+    break;
+  }
   return geometry;
 }
 

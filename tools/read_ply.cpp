@@ -2,132 +2,263 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
+#include "fields.h"
+#include "file_bytes.h"
 #include "format_readers.h"
+#include "numbers.h"
 #include "ply_header.h"
-#include "text_lines.h"
+#include "ply_values.h"
+#include "vector_field.h"
 
-#include <pcl/io/ply_io.h>
-
-#include <filesystem>
-#include <fstream>
-#include <set>
+#include <cstring>
+#include <limits>
 #include <stdexcept>
+
+/** \file
+ * PCL 1.13 ends the program on some PLY files, and takes others for something else. The
+ * fields are named and packed as it does it.
+ */
 
 namespace tool {
 namespace {
 
-bool
-isByte(const PLYHeader::Property* property)
+using Property = PLYHeader::Property;
+using Element = PLYHeader::Element;
+
+/** The place in a packed colour of the property of one byte that is a part of it; -1
+ * for all others. */
+int
+placeInColour(const Property& property)
 {
-  return property && (property->type == "uchar" || property->type == "uint8");
+  if (property.datatype != pcl::PCLPointField::UINT8)
+    return -1;
+  const std::string name = property.name.compare(0, 8, "diffuse_") == 0
+                               ? property.name.substr(8)
+                               : property.name;
+  const std::array<const char*, 4> parts{"blue", "green", "red", "alpha"};
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (name == parts[i])
+      return static_cast<int>(i);
+  return -1;
 }
 
-/** PCL packs colours of single bytes, and writes outside of the point where some are
- * missing.
- */
-void
-checkColours(const PLYHeader::Element& vertex)
+/** Where the value of a property goes. */
+struct Column {
+  std::uint8_t datatype;
+  std::uint32_t offset;
+  /** A byte that is stored as a float. */
+  bool widen;
+};
+
+/** Make the fields of the points, and columns for their properties. */
+std::vector<Column>
+makeFields(const Element& vertex, pcl::PCLPointCloud2& cloud)
 {
-  for (const std::string prefix : {"", "diffuse_"}) {
-    const bool red = isByte(vertex.find(prefix + "red"));
-    if (isByte(vertex.find(prefix + "green")) != red ||
-        isByte(vertex.find(prefix + "blue")) != red ||
-        (prefix.empty() && isByte(vertex.find("alpha")) && !red &&
-         !isByte(vertex.find("diffuse_red"))))
-      throw std::runtime_error(
-          "its colours lack red, green or blue bytes; save it with "
-          "all of them or with none");
+  int parts = 0; // of colours, as bits
+  for (const auto& property : vertex.properties) {
+    const int place = placeInColour(property);
+    if (place >= 0 && (parts & 1 << place))
+      throw std::runtime_error("has two colours; save it with one");
+    parts |= place < 0 ? 0 : 1 << place;
+  }
+  if (parts != 0 && (parts & 7) != 7)
+    throw std::runtime_error("its colours lack red, green or blue bytes; save it with "
+                             "all of them or with none");
+
+  std::vector<Column> columns;
+  std::uint32_t colour = 0;
+  bool has_colour = false;
+  for (const auto& property : vertex.properties) {
+    if (property.is_list)
+      throw std::runtime_error("its points have lists ('" + property.name +
+                               "'), which cannot be read; save it without them");
+    const int place = placeInColour(property);
+    if (place >= 0) {
+      if (!has_colour) {
+        colour = cloud.point_step;
+        if (parts & 8)
+          addField(cloud, "rgba", pcl::PCLPointField::UINT32);
+        else
+          addField(cloud, "rgb", pcl::PCLPointField::FLOAT32);
+        has_colour = true;
+      }
+      columns.push_back(
+          {property.datatype, colour + static_cast<std::uint32_t>(place), false});
+      continue;
+    }
+    const bool widen = property.name == "intensity" &&
+                       property.datatype == pcl::PCLPointField::UINT8;
+    columns.push_back({property.datatype, cloud.point_step, widen});
+    const bool is_normal =
+        property.name == "nx" || property.name == "ny" || property.name == "nz";
+    addField(cloud, is_normal ? "normal_" + property.name.substr(1) : property.name,
+             widen ? std::uint8_t(pcl::PCLPointField::FLOAT32) : property.datatype);
+  }
+  for (const char* name : VectorField::POSITION)
+    if (!findField(cloud, name))
+      throw std::runtime_error(std::string("has no coordinate ") + name);
+  return columns;
+}
+
+void
+readPoints(const Element& vertex, PLYValues& values, pcl::PCLPointCloud2& cloud)
+{
+  const std::vector<Column> columns = makeFields(vertex, cloud);
+  setNumberOfPoints(cloud, vertex.count);
+  for (std::uint64_t i = 0; i < vertex.count; ++i) {
+    std::uint8_t* point = &cloud.data[i * cloud.point_step];
+    values.beginElement();
+    for (const auto& column : columns) {
+      values.take(column.datatype, point + column.offset);
+      if (column.widen) {
+        const float wide = point[column.offset];
+        std::memcpy(point + column.offset, &wide, sizeof wide);
+      }
+    }
+    values.endElement();
   }
 }
 
 void
-checkVertices(const PLYHeader& header)
+skip(const Property& property, PLYValues& values)
 {
+  std::uint8_t unused[8];
+  const std::uint64_t length =
+      property.is_list ? values.takeCount(property.length_datatype) : 1;
+  for (std::uint64_t i = 0; i < length; ++i)
+    values.take(property.datatype, unused);
+}
+
+/** Read the numbers of points that faces and cells of grids have. */
+std::vector<pcl::Vertices>
+readLists(const Element& element, PLYValues& values)
+{
+  const Property* indices = element.find("vertex_indices");
+  if (!indices)
+    indices = element.find("vertex_index");
+  if (!indices || !indices->is_list)
+    throw std::runtime_error("its " + element.name +
+                             "s cannot be read; save it with 'property list uchar int "
+                             "vertex_indices'");
+  std::vector<pcl::Vertices> lists;
+  for (std::uint64_t i = 0; i < element.count; ++i) {
+    lists.emplace_back();
+    values.beginElement();
+    for (const auto& property : element.properties)
+      if (&property != indices)
+        skip(property, values);
+      else
+        for (auto length = values.takeCount(property.length_datatype); length > 0;
+             --length)
+          lists.back().vertices.push_back(
+              static_cast<pcl::index_t>(values.takeCount(property.datatype)));
+    values.endElement();
+  }
+  return lists;
+}
+
+/** Place the points in the cells of a grid; cells without one get a point without a
+ * place. */
+void
+arrange(const std::vector<pcl::Vertices>& cells, pcl::PCLPointCloud2& cloud)
+{
+  pcl::PCLPointCloud2 grid = cloud;
+  setNumberOfPoints(grid, cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    std::uint8_t* point = &grid.data[i * grid.point_step];
+    if (cells[i].vertices.empty()) {
+      for (const auto& field : grid.fields)
+        if (isFloatingPoint(field))
+          setNumber(field, point, std::numeric_limits<double>::quiet_NaN());
+      continue;
+    }
+    const auto index = static_cast<std::size_t>(cells[i].vertices[0]);
+    if (index >= numberOfPoints(cloud))
+      throw std::runtime_error("its range_grid refers to point " +
+                               std::to_string(index) + ", but there are only " +
+                               std::to_string(numberOfPoints(cloud)));
+    std::memcpy(point, &cloud.data[index * cloud.point_step], cloud.point_step);
+  }
+  cloud = std::move(grid);
+}
+
+/** What the header says must fit into the file before anything is made of its size. */
+void
+check(const PLYHeader& header, std::uint64_t bytes)
+{
+  constexpr std::uint64_t most = std::numeric_limits<std::int32_t>::max();
   const auto* vertex = header.find("vertex");
   if (!vertex || vertex->count == 0)
     throw std::runtime_error("holds no points");
-  if (vertex->count > std::numeric_limits<std::int32_t>::max())
-    throw std::runtime_error("has more points than can be read");
-  for (const auto& property : vertex->properties)
-    if (!property.length_type.empty())
-      throw std::runtime_error("its points have lists ('" + property.name +
-                               "'), which cannot be read; save it without them");
-  if (header.columns > 0 && header.rows > 0 &&
+  if (vertex->properties.empty())
+    throw std::runtime_error("has no coordinate x");
+  for (const auto& element : header.elements) {
+    const std::uint64_t least = element.leastBytes(header.encoding);
+    if (least > 0 && element.count > (bytes + 1) / least)
+      throw std::runtime_error("holds less data than its header announces; the file is "
+                               "damaged or incomplete");
+    if (element.count > most)
+      throw std::runtime_error("has more points or faces than can be read");
+  }
+  // A cell without a point takes little room in a file.
+  constexpr std::uint64_t growth = 64;
+  const auto* grid = header.find("range_grid");
+  if (grid && grid->count * vertex->properties.size() > growth * bytes)
+    throw std::runtime_error("its range_grid has too many cells for the file's size");
+  if (header.columns > most || header.rows > most ||
+      header.columns * header.rows > most)
+    throw std::runtime_error("num_cols times num_rows of its header is more than can be "
+                             "read; save it without these two");
+  if (!grid && header.columns > 0 && header.rows > 0 &&
       (vertex->count - 1) / header.columns >= header.rows)
     throw std::runtime_error("has more points than num_cols times num_rows of its "
                              "header; save it without these two");
-  checkColours(*vertex);
-}
-
-/** PCL reads the faces' points from lists of bytes' length only. */
-void
-checkFaces(const PLYHeader& header)
-{
-  const auto* face = header.find("face");
-  if (!face || face->count == 0)
-    return;
-  const auto* indices = face->find("vertex_indices");
-  if (!indices)
-    indices = face->find("vertex_index");
-  static const std::set<std::string> types{"int", "int32", "uint", "uint32"};
-  if (!indices ||
-      (indices->length_type != "uchar" && indices->length_type != "uint8") ||
-      !types.count(indices->type))
-    throw std::runtime_error("its faces cannot be read; save it with 'property list "
-                             "uchar int vertex_indices'");
-}
-
-/** Checked before PCL sees the file: PCL 1.13 ends the program on some of these, and
- * takes others for something else.
- * \return the number of points of the cloud, with those missing from a range grid
- */
-std::uint64_t
-checkFile(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  const PLYHeader header(stream);
-  checkVertices(header);
-  checkFaces(header);
-
-  const std::uint64_t remaining =
-      std::filesystem::file_size(path) - static_cast<std::uint64_t>(stream.tellg());
-  for (const auto& element : header.elements) {
-    // In text, a number takes a digit and a separator.
-    const std::uint64_t least =
-        header.ascii ? 2 * element.properties.size() : element.leastBytes();
-    if (least > 0 && element.count > (remaining + 1) / least)
-      throw std::runtime_error("holds less data than its header announces; the file is "
-                               "damaged or incomplete");
-  }
-  if (header.ascii)
-    countRows(stream, header.lines, 0);
-
-  const auto* grid = header.find("range_grid");
-  return grid && grid->count > 0 ? grid->count : header.find("vertex")->count;
 }
 
 } // namespace
 
 Geometry
-readPLY(const std::string& path)
+readPLY(std::istream& stream)
 {
-  const std::uint64_t points = checkFile(path);
-
-  pcl::PolygonMesh mesh;
-  if (pcl::PLYReader().read(path, mesh) < 0)
-    throw std::runtime_error("the file is damaged or incomplete");
+  TextLines lines(stream, TextLines::Style::STRICT);
+  const PLYHeader header(lines);
+  // A last line without its end may be cut short.
+  if (stream.eof())
+    throw std::runtime_error("the file ends within its header");
+  check(header, remainingBytes(stream));
 
   Geometry geometry;
-  geometry.cloud = std::move(mesh.cloud);
-  geometry.faces = std::move(mesh.polygons);
-
-  // Without a range grid, PCL believes num_cols and num_rows (or the image size of a
-  // camera) rather than the number of points, and makes up the points that are missing.
   auto& cloud = geometry.cloud;
-  if (static_cast<std::uint64_t>(cloud.width) * cloud.height != points) {
-    cloud.width = static_cast<pcl::uindex_t>(points);
-    cloud.height = 1;
-    cloud.data.resize(std::min(cloud.data.size(), points * cloud.point_step));
+  std::vector<pcl::Vertices> cells;
+  const auto values = plyValues(header.encoding, lines, stream);
+  for (const auto& element : header.elements) {
+    if (element.count == 0 || element.properties.empty())
+      continue;
+    if (element.name == "vertex")
+      readPoints(element, *values, cloud);
+    else if (element.name == "face")
+      geometry.faces = readLists(element, *values);
+    else if (element.name == "range_grid")
+      cells = readLists(element, *values);
+    else
+      for (std::uint64_t i = 0; i < element.count; ++i) {
+        values->beginElement();
+        for (const auto& property : element.properties)
+          skip(property, *values);
+        values->endElement();
+      }
+  }
+  values->end();
+
+  if (!cells.empty())
+    arrange(cells, cloud);
+  // so both are numbers of points that are there, and small
+  if (header.columns > 0 && header.rows > 0 &&
+      numberOfPoints(cloud) % header.columns == 0 &&
+      numberOfPoints(cloud) / header.columns == header.rows) {
+    cloud.width = static_cast<pcl::uindex_t>(header.columns);
+    cloud.height = static_cast<pcl::uindex_t>(header.rows);
+    cloud.row_step = cloud.point_step * cloud.width;
   }
   return geometry;
 }

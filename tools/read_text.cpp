@@ -7,7 +7,6 @@
 #include "text_lines.h"
 
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <stdexcept>
 
@@ -46,9 +45,8 @@ nameColumns(const std::vector<double>& values, std::size_t columns)
 } // namespace
 
 Geometry
-readText(const std::string& path)
+readText(std::istream& stream)
 {
-  std::ifstream stream(path);
   TextLines lines(stream);
   std::vector<double> values;
   std::size_t columns = 0;
@@ -60,8 +58,10 @@ readText(const std::string& path)
       continue;
     }
     const auto& row = lines.numbers();
+    may_be_title = false;
     if (columns == 0 && row.size() == 1 && !announced) {
       announced = row[0];
+      may_be_title = true;
       continue;
     }
     if (columns == 0)

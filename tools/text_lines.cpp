@@ -4,15 +4,20 @@
 
 #include "text_lines.h"
 
+#include "numbers.h"
+
 #include <algorithm>
-#include <charconv>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
-#include <string_view>
 
 namespace tool {
 namespace {
 
 constexpr const char* WHITE_SPACE = " \t\r\n\v\f";
+
+/** A file that is no text need not have ends of lines. */
+constexpr std::streamsize LONGEST_LINE = 1 << 24;
 
 std::string_view
 trimmed(std::string_view text)
@@ -23,42 +28,56 @@ trimmed(std::string_view text)
   return text.substr(first, text.find_last_not_of(WHITE_SPACE) - first + 1);
 }
 
-/** Read one number. \return whether the text is a number and nothing else */
-bool
-parse(std::string_view text, double& number)
-{
-  // std::from_chars does not know the plus sign.
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-')
-    text.remove_prefix(1);
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, number);
-  return result.ec == std::errc() && result.ptr == end;
-}
-
 } // namespace
 
-TextLines::TextLines(std::istream& stream, Style style, std::size_t lines_before)
+TextLines::TextLines(std::istream& stream, Style style)
 : stream_(stream)
 , style_(style)
-, line_number_(lines_before)
+, buffer_(new char[LONGEST_LINE])
 {
+}
+
+bool
+TextLines::readLine()
+{
+  ++line_number_;
+  stream_.getline(buffer_.get(), LONGEST_LINE);
+  if (stream_.gcount() == 0)
+    return false;
+  if (stream_.fail())
+    fail("is too long for a line of text");
+  const std::streamsize end_of_line = stream_.eof() ? 0 : 1;
+  std::string_view text(buffer_.get(), stream_.gcount() - end_of_line);
+  if (line_number_ == 1 && text.substr(0, 3) == "\xEF\xBB\xBF") {
+    if (style_ == Style::STRICT)
+      fail("starts with a byte order mark; save the file without it");
+    text.remove_prefix(3);
+  }
+  if (style_ != Style::STRICT)
+    text = text.substr(0, text.find('#'));
+  text_ = trimmed(text);
+  if (style_ == Style::FREE && text_.compare(0, 2, "//") == 0)
+    text_.clear();
+  return true;
 }
 
 bool
 TextLines::next()
 {
-  for (std::string line; std::getline(stream_, line);) {
-    std::string_view text = line;
-    if (line_number_++ == 0 && text.substr(0, 3) == "\xEF\xBB\xBF")
-      text.remove_prefix(3); // byte order mark
-    if (style_ == Style::FREE)
-      text = text.substr(0, text.find('#'));
-    text_ = trimmed(text);
-    const bool is_comment = style_ == Style::FREE && text_.compare(0, 2, "//") == 0;
-    if (!text_.empty() && !is_comment)
+  while (readLine())
+    if (!text_.empty())
       return true;
-  }
+  text_.clear();
   return false;
+}
+
+void
+TextLines::join()
+{
+  const std::string before = text_ + ' ';
+  if (!readLine())
+    text_.clear();
+  text_ = before + text_;
 }
 
 const std::string&
@@ -80,25 +99,40 @@ TextLines::startsWithNumber() const
 {
   double number;
   const std::string_view text = text_;
-  return parse(trimmed(text.substr(0, text.find_first_of(separators()))), number);
+  const std::string_view word =
+      trimmed(text.substr(0, text.find_first_of(separators())));
+  return parseNumber(word, number) ||
+         (!word.empty() && word.find_first_of("+-.0123456789") == 0);
 }
 
-const std::vector<double>&
-TextLines::numbers()
+const std::vector<std::string_view>&
+TextLines::words()
 {
-  numbers_.clear();
+  words_.clear();
   const char* separators = this->separators();
   const std::string_view text = text_;
   for (std::size_t begin = 0; begin <= text.size();) {
     const auto end = std::min(text.find_first_of(separators, begin), text.size());
-    const std::string_view item = trimmed(text.substr(begin, end - begin));
+    const std::string_view word = trimmed(text.substr(begin, end - begin));
     begin = end + 1;
     // Blanks may stand in a row, other separators at the end.
-    if (item.empty() && (separators == WHITE_SPACE || begin > text.size()))
-      continue;
+    if (!word.empty() || (separators != WHITE_SPACE && begin <= text.size()))
+      words_.push_back(word);
+  }
+  return words_;
+}
+
+const std::vector<double>&
+TextLines::numbers(std::size_t first)
+{
+  numbers_.clear();
+  const auto& words = this->words();
+  for (std::size_t i = first; i < words.size(); ++i) {
     double number;
-    if (!parse(item, number))
-      fail("'" + std::string(item.substr(0, 40)) + "' is not a number");
+    if (!parseNumber(words[i], number))
+      failAt(words[i], "is not a number");
+    if (std::isfinite(number) && std::abs(number) > std::numeric_limits<float>::max())
+      failAt(words[i], "is larger than single precision can hold");
     numbers_.push_back(number);
   }
   return numbers_;
@@ -115,22 +149,15 @@ TextLines::separators() const
 }
 
 void
+TextLines::failAt(std::string_view word, const std::string& problem) const
+{
+  fail("'" + std::string(word.substr(0, 40)) + "' " + problem);
+}
+
+void
 TextLines::fail(const std::string& problem) const
 {
   throw std::runtime_error("line " + std::to_string(line_number_) + ": " + problem);
-}
-
-std::size_t
-countRows(std::istream& stream, std::size_t lines_before, std::size_t columns)
-{
-  TextLines lines(stream, TextLines::Style::STRICT, lines_before);
-  std::size_t rows = 0;
-  for (; lines.next(); ++rows)
-    if (lines.numbers().size() != columns && columns != 0)
-      lines.fail("has " + std::to_string(lines.numbers().size()) +
-                 " numbers instead of " + std::to_string(columns) +
-                 "; the file is damaged or incomplete");
-  return rows;
 }
 
 } // namespace tool

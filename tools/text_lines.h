@@ -5,7 +5,9 @@
 #pragma once
 
 #include <istream>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tool {
@@ -17,21 +19,32 @@ namespace tool {
 class TextLines {
 public:
   enum class Style {
-    FREE,  ///< numbers stand apart by white space, or semicolons, or commas; what
-           ///< follows a # or starts with // is skipped
-    STRICT ///< numbers stand apart by white space, and nothing else is in the file
+    FREE,      ///< numbers stand apart by white space, or semicolons, or commas; what
+               ///< follows a # or starts with // is skipped
+    COMMENTED, ///< words stand apart by white space; what follows a # is skipped
+    STRICT     ///< words stand apart by white space, and there are no comments
   };
 
-  /** \param[in] stream must outlive this object
-   * \param[in] lines_before how many lines of the file were read before
-   */
-  explicit TextLines(std::istream& stream,
-                     Style style = Style::FREE,
-                     std::size_t lines_before = 0);
+  /** \param[in] stream must outlive this object */
+  explicit TextLines(std::istream& stream, Style style = Style::FREE);
 
-  /** \brief Go to the next line. \return false at the end of the file */
+  /** \brief Go to the next line.
+   * \return false at the end of the file
+   * \throws std::runtime_error where a line is longer than any sensible one
+   */
   bool
   next();
+
+  /** \brief Add the next line to this one. */
+  void
+  join();
+
+  /** \brief The number of the line in the file, from 1. */
+  std::size_t
+  number() const
+  {
+    return line_number_;
+  }
 
   /** \brief The line without comments and surrounding white space. */
   const std::string&
@@ -41,15 +54,25 @@ public:
   std::string
   takeWord();
 
-  /** \brief Whether the line starts with a number. */
+  /** \brief Whether the line starts with a number, or with what should be one. */
   bool
   startsWithNumber() const;
 
+  /** \brief What stands in the line apart. */
+  const std::vector<std::string_view>&
+  words();
+
   /** \brief The line's numbers.
-   * \throws std::runtime_error where something else stands
+   * \param[in] first how many words come before them
+   * \throws std::runtime_error where something else stands, or a number that single
+   * precision cannot hold
    */
   const std::vector<double>&
-  numbers();
+  numbers(std::size_t first = 0);
+
+  /** \brief Throw a std::runtime_error that names the line and a word. */
+  [[noreturn]] void
+  failAt(std::string_view word, const std::string& problem) const;
 
   /** \brief Throw a std::runtime_error that names the line. */
   [[noreturn]] void
@@ -60,20 +83,17 @@ private:
   const char*
   separators() const;
 
+  /** \brief Read the next line, whatever it holds. \return false at the end */
+  bool
+  readLine();
+
   std::istream& stream_;
   Style style_;
-  std::size_t line_number_;
+  std::unique_ptr<char[]> buffer_;
+  std::size_t line_number_ = 0;
   std::string text_;
+  std::vector<std::string_view> words_;
   std::vector<double> numbers_;
 };
-
-/** \brief Check that nothing but rows of numbers follow in a stream: PCL's readers take
- * anything for numbers.
- * \param[in] lines_before how many lines of the file were read before
- * \param[in] columns how many numbers a row has; 0: any
- * \return how many rows there are
- */
-std::size_t
-countRows(std::istream& stream, std::size_t lines_before, std::size_t columns);
 
 } // namespace tool

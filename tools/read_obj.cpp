@@ -1,0 +1,251 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "fields.h"
+#include "format_readers.h"
+#include "numbers.h"
+#include "text_lines.h"
+#include "vector_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+
+/** \file
+ * Assimp 5.2 leaves out what it does not understand, without a word, and all points that
+ * no face uses; and it opens the files of materials, which may be anything.
+ */
+
+namespace tool {
+namespace {
+
+/** What may stand in a file and says nothing about points and faces. */
+bool
+isOtherStatement(std::string_view keyword)
+{
+  static const std::set<std::string_view> keywords{
+      "g",       "o",      "s",      "mg",     "usemtl",   "mtllib",     "usemap",
+      "maplib",  "l",      "p",      "vt",     "vp",       "bevel",      "c_interp",
+      "lod",     "ctech",  "stech",  "cstype", "d_interp", "shadow_obj", "trace_obj",
+      "deg",     "bmat",   "step",   "curv",   "curv2",    "surf",       "parm",
+      "trim",    "hole",   "scrv",   "sp",     "end",      "con",        "call",
+      "csh"};
+  return keywords.count(keyword) > 0;
+}
+
+constexpr std::size_t NONE = -1;
+
+struct Point {
+  Eigen::Vector3d position;
+  /** Red, green, blue and alpha as PCL packs them; 0 where the file gives none. */
+  std::uint32_t colour;
+  /** The number of its normal. */
+  std::size_t normal;
+};
+
+struct Corner {
+  std::size_t point, normal;
+};
+
+struct Face {
+  std::size_t line;
+  std::vector<Corner> corners;
+};
+
+/** The points and faces of a file. */
+class Mesh {
+public:
+  explicit Mesh(std::istream& stream)
+  : lines_(stream, TextLines::Style::COMMENTED)
+  {
+    while (lines_.next()) {
+      while (lines_.text().back() == '\\')
+        lines_.join();
+      const std::string_view keyword = lines_.words()[0];
+      if (keyword == "v")
+        addPoint();
+      else if (keyword == "vn")
+        normals_.push_back(toVector(numbers({3})));
+      else if (keyword == "f")
+        addFace();
+      else if (!isOtherStatement(keyword))
+        lines_.failAt(keyword, "is no keyword of OBJ");
+    }
+    // points alone have their normals in the same order
+    if (faces_.empty() && normals_.size() == points_.size())
+      for (std::size_t i = 0; i < points_.size(); ++i)
+        points_[i].normal = i;
+    checkFaces();
+  }
+
+  Geometry
+  geometry()
+  {
+    Geometry geometry;
+    geometry.faces = joinNormals();
+    const bool has_normals = std::any_of(
+        points_.begin(), points_.end(), [](const auto& p) { return p.normal != NONE; });
+    const bool has_colours = std::any_of(points_.begin(), points_.end(),
+                                         [](const auto& p) { return p.colour != 0; });
+    geometry.from_text = true;
+    auto& cloud = geometry.cloud;
+    for (const char* name : VectorField::POSITION)
+      addField(cloud, name, pcl::PCLPointField::FLOAT64);
+    if (has_normals)
+      for (const char* name : VectorField::NORMAL)
+        addField(cloud, name, pcl::PCLPointField::FLOAT64);
+    if (has_colours)
+      addField(cloud, "rgba", pcl::PCLPointField::UINT32);
+    setNumberOfPoints(cloud, points_.size());
+
+    const VectorField position(cloud, VectorField::POSITION);
+    const VectorField normal(cloud, VectorField::NORMAL);
+    const auto* colour = findField(cloud, "rgba");
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      std::uint8_t* to = &cloud.data[i * cloud.point_step];
+      position.set(to, points_[i].position);
+      if (points_[i].normal != NONE)
+        normal.set(to, normals_[points_[i].normal]);
+      // white where only others have a colour
+      const std::uint32_t packed = points_[i].colour != 0 ? points_[i].colour : -1;
+      if (colour)
+        std::memcpy(to + colour->offset, &packed, sizeof packed);
+    }
+    return geometry;
+  }
+
+private:
+  static Eigen::Vector3d
+  toVector(const std::vector<double>& numbers)
+  {
+    return {numbers[0], numbers[1], numbers[2]};
+  }
+
+  /** The numbers of the line, as many as one of those. */
+  const std::vector<double>&
+  numbers(std::initializer_list<std::size_t> allowed)
+  {
+    const auto& numbers = lines_.numbers(1);
+    if (std::count(allowed.begin(), allowed.end(), numbers.size()) == 0)
+      lines_.fail("has " + std::to_string(numbers.size()) +
+                  " numbers, which is not a point like x y z or x y z r g b, nor a "
+                  "normal; the file is damaged or incomplete");
+    return numbers;
+  }
+
+  void
+  addPoint()
+  {
+    const auto& numbers = this->numbers({3, 4, 6});
+    Point point{toVector(numbers), 0, NONE};
+    if (numbers.size() == 4) { // homogeneous
+      if (numbers[3] == 0.0)
+        lines_.fail("the point lies at infinity");
+      point.position /= numbers[3];
+    }
+    if (numbers.size() == 6) {
+      point.colour = 0xff;
+      for (std::size_t i = 3; i < 6; ++i) {
+        if (!std::isfinite(numbers[i]))
+          lines_.fail("has a colour that is no number");
+        point.colour = point.colour << 8 |
+                       static_cast<std::uint32_t>(std::lround(
+                           255.0 * std::min(std::max(numbers[i], 0.0), 1.0)));
+      }
+    }
+    points_.push_back(point);
+  }
+
+  /** The number of a point or normal, counted from 0, by the word in the file. */
+  std::size_t
+  indexOf(std::string_view word, std::size_t number) const
+  {
+    std::int64_t index;
+    if (!parseNumber(word, index))
+      lines_.failAt(word, "is not the number of a point or normal");
+    const auto count = static_cast<std::int64_t>(number);
+    if (index == 0 || index < -count)
+      lines_.failAt(word, "refers to a point or normal that is not there");
+    return static_cast<std::size_t>(index > 0 ? index - 1 : count + index);
+  }
+
+  void
+  addFace()
+  {
+    const auto& words = lines_.words();
+    if (words.size() < 4)
+      lines_.fail("a face has fewer than three corners; the file is damaged or "
+                  "incomplete");
+    Face face{lines_.number(), {}};
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      // point, point/texture, point//normal or point/texture/normal
+      const std::string_view word = words[i];
+      const auto first = std::min(word.find('/'), word.size());
+      const auto second = std::min(word.find('/', first + 1), word.size());
+      Corner corner{indexOf(word.substr(0, first), points_.size()), NONE};
+      if (second < word.size())
+        corner.normal = indexOf(word.substr(second + 1), normals_.size());
+      face.corners.push_back(corner);
+    }
+    faces_.push_back(face);
+  }
+
+  /** Points may come after the faces that they are corners of. */
+  void
+  checkFaces() const
+  {
+    for (const auto& face : faces_)
+      for (const auto& corner : face.corners)
+        if (corner.point >= points_.size() ||
+            (corner.normal != NONE && corner.normal >= normals_.size()))
+          throw std::runtime_error("line " + std::to_string(face.line) +
+                                   ": a face refers to a point or normal that is not "
+                                   "there");
+  }
+
+  /** Give each point the normal that its corners have; points with several normals
+   * become several points. */
+  std::vector<pcl::Vertices>
+  joinNormals()
+  {
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> more;
+    std::vector<pcl::Vertices> faces;
+    for (const auto& face : faces_) {
+      faces.emplace_back();
+      for (const auto& corner : face.corners) {
+        std::size_t index = corner.point;
+        if (points_[index].normal == NONE)
+          points_[index].normal = corner.normal;
+        else if (corner.normal != NONE && points_[index].normal != corner.normal) {
+          const auto place =
+              more.emplace(std::make_pair(index, corner.normal), points_.size());
+          if (place.second) {
+            points_.push_back(points_[index]);
+            points_.back().normal = corner.normal;
+          }
+          index = place.first->second;
+        }
+        faces.back().vertices.push_back(static_cast<pcl::index_t>(index));
+      }
+    }
+    return faces;
+  }
+
+  TextLines lines_;
+  std::vector<Point> points_;
+  std::vector<Eigen::Vector3d> normals_;
+  std::vector<Face> faces_;
+};
+
+} // namespace
+
+Geometry
+readOBJ(std::istream& stream)
+{
+  return Mesh(stream).geometry();
+}
+
+} // namespace tool
