@@ -9,7 +9,12 @@ find_package(PCL 1.12 REQUIRED COMPONENTS common io)
 find_package(nlohmann_json 3.9 REQUIRED)
 
 # What files hold, and how they are read and written.
-add_executable(test_tool_files test_tool_files.cpp)
+add_executable(test_tool_files
+  test_tool_files.cpp
+  test_tool_hostile_files.cpp
+  ${PROJECT_SOURCE_DIR}/tools/local_frame.cpp
+  ${PROJECT_SOURCE_DIR}/tools/output_file.cpp
+  ${PROJECT_SOURCE_DIR}/tools/signals.cpp)
 target_compile_options(test_tool_files PRIVATE -Wall -Wextra)
 target_link_libraries(test_tool_files
   PRIVATE pcl_kss_icp_files pcl_io GTest::gtest_main)

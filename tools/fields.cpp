@@ -132,7 +132,8 @@ cloudOfDoubles(const std::vector<double>& values, const std::vector<std::string>
   for (const auto& name : names)
     addField(cloud, name, pcl::PCLPointField::FLOAT64);
   setNumberOfPoints(cloud, values.size() / names.size());
-  std::memcpy(cloud.data.data(), values.data(), cloud.data.size());
+  if (!values.empty())
+    std::memcpy(cloud.data.data(), values.data(), cloud.data.size());
   return cloud;
 }
 

@@ -10,8 +10,8 @@
 
 /** \file
  * One reader for each file format. They throw a std::runtime_error that says what is
- * wrong with the file, but not which file it is. What they need of memory follows from the file's size, and
- * not from what its header says.
+ * wrong with the file, but not which file it is. What they need of memory follows from
+ * the file's size, and not from what its header says.
  */
 
 namespace tool {

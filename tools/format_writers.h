@@ -9,7 +9,7 @@
 #include <ostream>
 
 /** \file
- * One writer for each file format, but for PCD, which PCL writes.
+ * One writer for each file format, but for PCD, whose header PCL writes.
  */
 
 namespace tool {

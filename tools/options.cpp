@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <sstream>
 
@@ -61,6 +60,8 @@ visibleOptions()
      "or the OpenCL device whose name contains NAME")
     ("list-devices", "list the OpenCL devices")
     ("threads", word("N"), "threads on the CPU (default 0: as many as cores)")
+    ("iterations", word("N"), "iterations of the final ICP at most (default 300)")
+    ("time-limit", word("SECONDS"), "end after so long without a result")
     ("samples", word("N"), "points that stand for a mesh (default 10000)")
     ("quiet", "no output but files and errors")
     ("version", "show the version")
@@ -158,13 +159,14 @@ settingsOf(const po::variables_map& values)
     settings.clean = false;
   settings.estimate_scale = values.count("rigid") == 0;
   ifGiven(values, "scale-range", [&](const auto& value) {
-    const char* remedy = "use two positive numbers, the smaller one first";
+    const char* remedy = "use two numbers from 1e-6 to 1e6, the smaller one first";
     const auto space = value.find(' ');
     if (space == std::string::npos)
       throw UsageError("scale-range", value, remedy);
-    const double most = std::numeric_limits<double>::max();
+    // from micrometres to metres and back; beyond, single precision has no digits left
+    const double most = 1e6;
     settings.smallest_scale =
-        number("scale-range", value.substr(0, space), 1e-12, most, remedy);
+        number("scale-range", value.substr(0, space), 1.0 / most, most, remedy);
     settings.largest_scale = number("scale-range", value.substr(space + 1),
                                     settings.smallest_scale, most, remedy);
   });
@@ -268,6 +270,14 @@ parseOptions(int argc, const char* const* argv)
     options.samples = wholeNumber("samples", value, 20, 1e9,
                                   "use a whole number from 20 to 1000000000");
   });
+  ifGiven(values, "time-limit", [&](const auto& value) {
+    options.limits.seconds = number("time-limit", value, 1e-3, 1e9,
+                                    "use a number of seconds from 0.001 to 1e9");
+  });
+  ifGiven(values, "iterations", [&](const auto& value) {
+    options.limits.iterations = static_cast<int>(wholeNumber(
+        "iterations", value, 1, 1e6, "use a whole number from 1 to 1000000"));
+  });
   options.quiet = values.count("quiet") > 0;
   options.settings = settingsOf(values);
   return options;
@@ -289,9 +299,14 @@ helpText()
          "\n"
       << visibleOptions()
       << "\n"
-         "Exit status: 0 if registered; 1 if not (only the report is written); 2 if "
-         "the\n"
-         "command line or a file is wrong.\n"
+         "Exit status:\n"
+         "  0    registered\n"
+         "  1    not registered: the clouds do not fit, or determine no pose, or the\n"
+         "       time limit has passed; only the report is written\n"
+         "  2    the command line or a file is wrong, a device failed, or memory ran "
+         "out\n"
+         "  128+N  ended by signal N (130 by SIGINT, 143 by SIGTERM, 129 by SIGHUP);\n"
+         "       no file is written\n"
          "\n"
          "Example:\n"
          "  pcl_kss_icp scan.ply model.stl scan_on_model.ply --report report.json\n";

@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include "registration.h"
+
 #include <pcl/registration/kss/settings.h>
 
 #include <stdexcept>
@@ -26,6 +28,8 @@ struct Options {
   bool quiet = false;
   /** \brief How to register. */
   pcl::kss::Settings settings;
+  /** \brief When to end at the latest. */
+  Limits limits;
 };
 
 /** \brief Read the command line.

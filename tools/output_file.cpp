@@ -31,7 +31,9 @@ OutputFile::OutputFile(const std::string& path)
   if (fs::exists(status))
     path_ = fs::canonical(path).string();
   temporary_path_ = path_ + '.' + std::to_string(getpid()) + ".part";
+  removed_on_signal_.emplace(temporary_path_);
 
+  const SignalsHeld held;
   errno = 0;
   const bool could_replace =
       !fs::exists(status) || std::ofstream(path_, std::ios::app).is_open();
@@ -48,15 +50,23 @@ OutputFile::~OutputFile()
 }
 
 void
-OutputFile::write(const std::function<void(const std::string&)>& writer)
+OutputFile::write(const std::function<void(std::ostream&)>& writer)
 {
-  try {
-    writer(temporary_path_);
-    written_ = true;
+  std::ofstream stream;
+  const auto check = [&] {
+    if (!stream)
+      throw std::runtime_error(path_ + ": cannot be written: " + std::strerror(errno));
+  };
+  errno = 0;
+  {
+    const SignalsHeld held;
+    stream.open(temporary_path_, std::ios::binary);
   }
-  catch (const std::exception& problem) {
-    throw std::runtime_error(path_ + ": " + problem.what());
-  }
+  check();
+  writer(stream);
+  stream.close();
+  check();
+  written_ = true;
 }
 
 void

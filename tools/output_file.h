@@ -4,7 +4,11 @@
 
 #pragma once
 
+#include "signals.h"
+
 #include <functional>
+#include <optional>
+#include <ostream>
 #include <string>
 
 namespace tool {
@@ -29,11 +33,11 @@ public:
   operator=(const OutputFile&) = delete;
 
   /** \brief Write the file, but not in its place yet.
-   * \param[in] writer writes a file of the name that it is given
+   * \param[in] writer writes what the file shall hold
    * \throws std::runtime_error naming the file where it fails
    */
   void
-  write(const std::function<void(const std::string&)>& writer);
+  write(const std::function<void(std::ostream&)>& writer);
 
   /** \brief Put the file in its place, if it has been written. */
   void
@@ -43,6 +47,7 @@ private:
   std::string path_;
   /** \brief Where the file is written; the path itself for devices and pipes. */
   std::string temporary_path_;
+  std::optional<RemovedOnSignal> removed_on_signal_;
   bool written_ = false;
 };
 

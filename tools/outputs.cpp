@@ -7,10 +7,7 @@
 #include "report.h"
 #include "write_geometry.h"
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <stdexcept>
 
@@ -22,17 +19,6 @@ std::string
 canonical(const std::string& path)
 {
   return std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string();
-}
-
-void
-writeFile(const std::string& text, const std::string& path)
-{
-  errno = 0;
-  std::ofstream stream(path);
-  stream << text;
-  stream.close();
-  if (!stream)
-    throw std::runtime_error(std::string("cannot be written: ") + std::strerror(errno));
 }
 
 } // namespace
@@ -70,18 +56,18 @@ Outputs::write(const Result& result, const Geometry& source)
 {
   const bool registered = result.converged;
   if (aligned_ && registered)
-    aligned_->write([&](const std::string& path) {
+    aligned_->write([&](std::ostream& stream) {
       writeGeometry(transformed(source, result.poses.front().transformation),
-                    fileFormatOf(options_.aligned), path);
+                    fileFormatOf(options_.aligned), stream);
     });
   if (transform_ && registered)
-    transform_->write([&](const std::string& path) {
-      writeFile(transformationText(result.poses.front().transformation), path);
+    transform_->write([&](std::ostream& stream) {
+      stream << transformationText(result.poses.front().transformation);
     });
   if (report_)
-    report_->write(
-        [&](const std::string& path) { writeFile(reportText(result), path); });
+    report_->write([&](std::ostream& stream) { stream << reportText(result); });
 
+  const SignalsHeld held; // all of them or none
   for (auto* file : {aligned_.get(), transform_.get(), report_.get()})
     if (file)
       file->putInPlace();

@@ -29,12 +29,13 @@ public:
         continue;
       const auto& words = lines.words();
       const std::string key(words[0] == "COLUMNS" ? "FIELDS" : words[0]);
-      static const std::set<std::string> keys{"VERSION",   "FIELDS", "SIZE",  "TYPE",
-                                              "COUNT",     "WIDTH",  "HEIGHT",
-                                              "VIEWPOINT", "POINTS", "DATA"};
+      static const std::set<std::string> keys{
+          "VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT",
+          "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
       if (keys.count(key) == 0)
         lines.failAt(key, "is no keyword of a PCD header");
-      if (!entries_.emplace(key, std::vector<std::string>(words.begin() + 1, words.end()))
+      if (!entries_
+               .emplace(key, std::vector<std::string>(words.begin() + 1, words.end()))
                .second)
         lines.failAt(key, "is in the header twice");
     }
@@ -87,9 +88,8 @@ int
 datatypeOf(std::uint32_t size, const std::string& type)
 {
   const bool is_number = type == "F" || type == "I" || type == "U";
-  const int datatype = is_number && size <= 8
-                           ? pcl::getFieldType(static_cast<int>(size), type[0])
-                           : -1;
+  const int datatype =
+      is_number && size <= 8 ? pcl::getFieldType(static_cast<int>(size), type[0]) : -1;
   if (datatype < 0)
     throw std::runtime_error("has a field of unknown TYPE and SIZE " +
                              type.substr(0, 40) + ' ' + std::to_string(size));

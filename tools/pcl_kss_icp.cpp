@@ -9,6 +9,7 @@
 #include "read_geometry.h"
 #include "registration.h"
 #include "report.h"
+#include "signals.h"
 
 #include <pcl/console/print.h>
 #include <pcl/registration/kss/opencl_devices.h>
@@ -25,7 +26,7 @@ namespace {
 
 using namespace tool;
 
-constexpr int SUCCESS = 0, NOT_REGISTERED = 1, WRONG_INPUT = 2;
+constexpr int SUCCESS = 0, NOT_REGISTERED = 1, FAILED = 2;
 
 /** Write a message on one line, whatever it quotes. */
 void
@@ -80,7 +81,8 @@ registerWithProgress(const Geometry& source, const Geometry& target, Options opt
       bar.show(stage, done);
     };
   return registerClouds(pointsOf(source, options.samples),
-                        pointsOf(target, options.samples), options.settings);
+                        pointsOf(target, options.samples), options.settings,
+                        options.limits);
 }
 
 int
@@ -97,7 +99,10 @@ registerFiles(const Options& options)
   outputs.write(result, source);
   if (!result.converged) {
     complain("not registered: " + result.reason);
-    return NOT_REGISTERED;
+    // a broken driver says nothing about the clouds
+    const bool is_broken = result.cause == pcl::kss::FailureCause::DEVICE ||
+                           result.cause == pcl::kss::FailureCause::OTHER;
+    return is_broken ? FAILED : NOT_REGISTERED;
   }
   if (!options.quiet)
     std::cout << summaryText(result);
@@ -127,7 +132,7 @@ run(const Options& options)
   case Options::Action::REGISTER:
     return registerFiles(options);
   }
-  return WRONG_INPUT;
+  return FAILED;
 }
 
 } // namespace
@@ -135,6 +140,7 @@ run(const Options& options)
 int
 main(int argc, char** argv)
 {
+  endCleanlyOnSignals();
   // All that PCL has to say about files and registrations is said here, once.
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   try {
@@ -149,5 +155,5 @@ main(int argc, char** argv)
   catch (const std::exception& problem) {
     complain(problem.what());
   }
-  return WRONG_INPUT;
+  return FAILED;
 }

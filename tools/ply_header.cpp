@@ -20,12 +20,14 @@ datatypeOf(const TextLines& lines, std::string_view type)
 {
   using Field = pcl::PCLPointField;
   static const std::map<std::string_view, std::uint8_t> types{
-      {"char", Field::INT8},      {"int8", Field::INT8},       {"uchar", Field::UINT8},
-      {"uint8", Field::UINT8},    {"short", Field::INT16},     {"int16", Field::INT16},
-      {"ushort", Field::UINT16},  {"uint16", Field::UINT16},   {"int", Field::INT32},
-      {"int32", Field::INT32},    {"uint", Field::UINT32},     {"uint32", Field::UINT32},
-      {"float", Field::FLOAT32},  {"float32", Field::FLOAT32}, {"double", Field::FLOAT64},
-      {"float64", Field::FLOAT64}};
+      {"char", Field::INT8},      {"int8", Field::INT8},
+      {"uchar", Field::UINT8},    {"uint8", Field::UINT8},
+      {"short", Field::INT16},    {"int16", Field::INT16},
+      {"ushort", Field::UINT16},  {"uint16", Field::UINT16},
+      {"int", Field::INT32},      {"int32", Field::INT32},
+      {"uint", Field::UINT32},    {"uint32", Field::UINT32},
+      {"float", Field::FLOAT32},  {"float32", Field::FLOAT32},
+      {"double", Field::FLOAT64}, {"float64", Field::FLOAT64}};
   const auto found = types.find(type);
   if (found == types.end())
     lines.failAt(type, "is no type of PLY");

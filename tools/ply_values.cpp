@@ -142,8 +142,7 @@ plyValues(PLYHeader::Encoding encoding, TextLines& lines, std::istream& stream)
 {
   if (encoding == PLYHeader::Encoding::ASCII)
     return std::make_unique<TextValues>(lines);
-  return std::make_unique<BinaryValues>(stream,
-                                        encoding == PLYHeader::Encoding::BIG);
+  return std::make_unique<BinaryValues>(stream, encoding == PLYHeader::Encoding::BIG);
 }
 
 } // namespace tool

@@ -15,8 +15,8 @@
 #include <set>
 
 /** \file
- * Assimp 5.2 leaves out what it does not understand, without a word, and all points that
- * no face uses; and it opens the files of materials, which may be anything.
+ * Assimp 5.2 leaves out what it does not understand, without a word, and all points
+ * that no face uses; and it opens the files of materials, which may be anything.
  */
 
 namespace tool {
@@ -27,12 +27,12 @@ bool
 isOtherStatement(std::string_view keyword)
 {
   static const std::set<std::string_view> keywords{
-      "g",       "o",      "s",      "mg",     "usemtl",   "mtllib",     "usemap",
-      "maplib",  "l",      "p",      "vt",     "vp",       "bevel",      "c_interp",
-      "lod",     "ctech",  "stech",  "cstype", "d_interp", "shadow_obj", "trace_obj",
-      "deg",     "bmat",   "step",   "curv",   "curv2",    "surf",       "parm",
-      "trim",    "hole",   "scrv",   "sp",     "end",      "con",        "call",
-      "csh"};
+      "g",        "o",          "s",         "mg",    "usemtl", "mtllib",
+      "usemap",   "maplib",     "l",         "p",     "vt",     "vp",
+      "bevel",    "c_interp",   "lod",       "ctech", "stech",  "cstype",
+      "d_interp", "shadow_obj", "trace_obj", "deg",   "bmat",   "step",
+      "curv",     "curv2",      "surf",      "parm",  "trim",   "hole",
+      "scrv",     "sp",         "end",       "con",   "call",   "csh"};
   return keywords.count(keyword) > 0;
 }
 
@@ -64,14 +64,15 @@ public:
     while (lines_.next()) {
       while (lines_.text().back() == '\\')
         lines_.join();
-      const std::string_view keyword = lines_.words()[0];
+      const auto& words = lines_.words();
+      const std::string_view keyword = words.empty() ? "" : words[0];
       if (keyword == "v")
         addPoint();
       else if (keyword == "vn")
         normals_.push_back(toVector(numbers({3})));
       else if (keyword == "f")
         addFace();
-      else if (!isOtherStatement(keyword))
+      else if (!keyword.empty() && !isOtherStatement(keyword))
         lines_.failAt(keyword, "is no keyword of OBJ");
     }
     // points alone have their normals in the same order
@@ -151,9 +152,9 @@ private:
       for (std::size_t i = 3; i < 6; ++i) {
         if (!std::isfinite(numbers[i]))
           lines_.fail("has a colour that is no number");
-        point.colour = point.colour << 8 |
-                       static_cast<std::uint32_t>(std::lround(
-                           255.0 * std::min(std::max(numbers[i], 0.0), 1.0)));
+        point.colour =
+            point.colour << 8 | static_cast<std::uint32_t>(std::lround(
+                                    255.0 * std::min(std::max(numbers[i], 0.0), 1.0)));
       }
     }
     points_.push_back(point);

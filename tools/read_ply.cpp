@@ -86,8 +86,8 @@ makeFields(const Element& vertex, pcl::PCLPointCloud2& cloud)
           {property.datatype, colour + static_cast<std::uint32_t>(place), false});
       continue;
     }
-    const bool widen = property.name == "intensity" &&
-                       property.datatype == pcl::PCLPointField::UINT8;
+    const bool widen =
+        property.name == "intensity" && property.datatype == pcl::PCLPointField::UINT8;
     columns.push_back({property.datatype, cloud.point_step, widen});
     const bool is_normal =
         property.name == "nx" || property.name == "ny" || property.name == "nz";
@@ -207,8 +207,9 @@ check(const PLYHeader& header, std::uint64_t bytes)
     throw std::runtime_error("its range_grid has too many cells for the file's size");
   if (header.columns > most || header.rows > most ||
       header.columns * header.rows > most)
-    throw std::runtime_error("num_cols times num_rows of its header is more than can be "
-                             "read; save it without these two");
+    throw std::runtime_error(
+        "num_cols times num_rows of its header is more than can be "
+        "read; save it without these two");
   if (!grid && header.columns > 0 && header.rows > 0 &&
       (vertex->count - 1) / header.columns >= header.rows)
     throw std::runtime_error("has more points than num_cols times num_rows of its "

@@ -82,7 +82,8 @@ void
 expect(TextLines& lines, const std::vector<std::string>& words, std::size_t numbers = 0)
 {
   if (!lines.next())
-    throw std::runtime_error("the file ends within a solid; it is damaged or incomplete");
+    throw std::runtime_error(
+        "the file ends within a solid; it is damaged or incomplete");
   const auto& found = lines.words();
   if (found.size() != words.size() + numbers ||
       !std::equal(words.begin(), words.end(), found.begin()))

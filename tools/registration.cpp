@@ -43,7 +43,8 @@ finite(const Points& points)
 Result
 registerClouds(const Points& source,
                const Points& target,
-               const pcl::kss::Settings& settings)
+               const pcl::kss::Settings& settings,
+               const Limits& limits)
 {
   const auto start = std::chrono::steady_clock::now();
   const Eigen::Vector3d source_origin =
@@ -53,6 +54,9 @@ registerClouds(const Points& source,
 
   Registration registration;
   registration.setSettings(settings);
+  registration.setTimeLimit(limits.seconds);
+  if (limits.iterations > 0)
+    registration.setMaximumIterations(limits.iterations);
   const Cloud::Ptr source_cloud = localCloud(source, source_origin);
   const Cloud::Ptr target_cloud = localCloud(target, target_origin);
   registration.setInputSource(source_cloud);
@@ -62,6 +66,7 @@ registerClouds(const Points& source,
 
   Result result;
   result.converged = registration.hasConverged();
+  result.cause = registration.getFailureCause();
   result.reason = registration.getFailureReason();
   for (const auto& pose : registration.getAlternatives())
     result.poses.push_back(

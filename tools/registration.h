@@ -7,6 +7,7 @@
 #include "geometry.h"
 
 #include <pcl/registration/kss/bulk.h>
+#include <pcl/registration/kss/failure.h>
 #include <pcl/registration/kss/overlap.h>
 #include <pcl/registration/kss/settings.h>
 #include <pcl/registration/kss/stage_seconds.h>
@@ -25,6 +26,7 @@ struct Pose {
 /** \brief What a registration found, in the coordinates of the files. */
 struct Result {
   bool converged;
+  pcl::kss::FailureCause cause;
   /** \brief Why it has not converged. */
   std::string reason;
   /** \brief All distinct poses by falling score, the first one the result; none where
@@ -47,6 +49,14 @@ struct Result {
   double seconds;
 };
 
+/** \brief When a registration ends at the latest. */
+struct Limits {
+  /** \brief Seconds of wall time; 0: as long as it takes. */
+  double seconds = 0.0;
+  /** \brief Iterations of the final ICP; 0: as many as the library allows. */
+  int iterations = 0;
+};
+
 /** \brief Register two clouds.
  * \param[in] source at least one point finite
  * \param[in] target at least one point finite
@@ -54,6 +64,7 @@ struct Result {
 Result
 registerClouds(const Points& source,
                const Points& target,
-               const pcl::kss::Settings& settings);
+               const pcl::kss::Settings& settings,
+               const Limits& limits);
 
 } // namespace tool

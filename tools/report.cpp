@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
+#include <charconv>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -26,16 +26,17 @@ toJSON(const Eigen::Matrix4d& matrix)
   return rows;
 }
 
-/** The matrix to be looked at: in columns, and without rounding errors for zeros. */
+/** The matrix in columns, with as many digits as it takes to read the same numbers. */
 std::string
 table(const Eigen::Matrix4d& matrix)
 {
-  const double noise = 1e-15 * matrix.cwiseAbs().maxCoeff();
   std::ostringstream text;
-  text << std::setprecision(9);
   for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j)
-      text << std::setw(17) << (std::abs(matrix(i, j)) < noise ? 0.0 : matrix(i, j));
+    for (int j = 0; j < 4; ++j) {
+      char digits[32];
+      const auto end = std::to_chars(digits, digits + sizeof digits, matrix(i, j)).ptr;
+      text << std::setw(25) << std::string(digits, end);
+    }
     text << '\n';
   }
   return text.str();

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* WHITE_SPACE = " \t\r\n\v\f";
 
 /** A file that is no text need not have ends of lines. */
-constexpr std::streamsize LONGEST_LINE = 1 << 24;
+constexpr std::size_t LONGEST_LINE = 1 << 24;
 
 std::string_view
 trimmed(std::string_view text)
@@ -33,7 +33,6 @@ trimmed(std::string_view text)
 TextLines::TextLines(std::istream& stream, Style style)
 : stream_(stream)
 , style_(style)
-, buffer_(new char[LONGEST_LINE])
 {
 }
 
@@ -41,13 +40,19 @@ bool
 TextLines::readLine()
 {
   ++line_number_;
-  stream_.getline(buffer_.get(), LONGEST_LINE);
-  if (stream_.gcount() == 0)
+  line_.clear();
+  for (char piece[4096]; stream_.getline(piece, sizeof piece).gcount() > 0;) {
+    const bool has_end = !stream_.eof() && !stream_.fail();
+    line_.append(piece, stream_.gcount() - (has_end ? 1 : 0));
+    if (has_end || stream_.eof())
+      break;
+    if (line_.size() > LONGEST_LINE)
+      fail("is too long for a line of text");
+    stream_.clear(); // the line is longer than the piece
+  }
+  if (line_.empty() && stream_.fail())
     return false;
-  if (stream_.fail())
-    fail("is too long for a line of text");
-  const std::streamsize end_of_line = stream_.eof() ? 0 : 1;
-  std::string_view text(buffer_.get(), stream_.gcount() - end_of_line);
+  std::string_view text = line_;
   if (line_number_ == 1 && text.substr(0, 3) == "\xEF\xBB\xBF") {
     if (style_ == Style::STRICT)
       fail("starts with a byte order mark; save the file without it");
@@ -74,7 +79,8 @@ TextLines::next()
 void
 TextLines::join()
 {
-  const std::string before = text_ + ' ';
+  std::string before = text_;
+  before.back() = ' ';
   if (!readLine())
     text_.clear();
   text_ = before + text_;

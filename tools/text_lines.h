@@ -5,7 +5,6 @@
 #pragma once
 
 #include <istream>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,7 +34,7 @@ public:
   bool
   next();
 
-  /** \brief Add the next line to this one. */
+  /** \brief Put the next line in the place of this one's last character. */
   void
   join();
 
@@ -89,9 +88,8 @@ private:
 
   std::istream& stream_;
   Style style_;
-  std::unique_ptr<char[]> buffer_;
   std::size_t line_number_ = 0;
-  std::string text_;
+  std::string line_, text_;
   std::vector<std::string_view> words_;
   std::vector<double> numbers_;
 };

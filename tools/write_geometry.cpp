@@ -8,9 +8,6 @@
 
 #include <pcl/io/pcd_io.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <stdexcept>
 
 namespace tool {
@@ -20,26 +17,6 @@ namespace {
 constexpr double NEGLIGIBLE = 1e-6;
 
 using Writer = void (*)(std::ostream&, const Geometry&);
-
-Writer
-writerOf(FileFormat format)
-{
-  switch (format) {
-  case FileFormat::PLY:
-    return writePLY;
-  case FileFormat::OBJ:
-    return writeOBJ;
-  case FileFormat::STL:
-    return writeSTL;
-  case FileFormat::OFF:
-    return writeOFF;
-  case FileFormat::TEXT:
-    return writeText;
-  case FileFormat::PCD:
-    break;
-  }
-  throw std::logic_error("format without a writer");
-}
 
 /** Numbers from text have no type to keep, and most programs read floats only. */
 Geometry
@@ -52,35 +29,44 @@ withSensibleType(const Geometry& geometry)
   return result;
 }
 
+/** PCL would map the file into memory, where a full disk ends the program. */
 void
-writePCD(const Geometry& geometry, const std::string& path)
+writePCD(std::ostream& stream, const Geometry& geometry)
 {
-  if (pcl::PCDWriter().writeBinary(path, geometry.cloud, geometry.sensor_origin,
-                                   geometry.sensor_orientation) < 0)
-    throw std::runtime_error("cannot be written");
+  stream << pcl::PCDWriter().generateHeaderBinary(
+                geometry.cloud, geometry.sensor_origin, geometry.sensor_orientation)
+         << "DATA binary\n";
+  stream.write(reinterpret_cast<const char*>(geometry.cloud.data.data()),
+               static_cast<std::streamsize>(geometry.cloud.data.size()));
 }
 
-void
-writeStream(Writer write, const Geometry& geometry, const std::string& path)
+Writer
+writerOf(FileFormat format)
 {
-  std::ofstream stream(path, std::ios::binary);
-  write(stream, geometry);
-  stream.close();
-  if (!stream)
-    throw std::runtime_error(std::string("cannot be written: ") + std::strerror(errno));
+  switch (format) {
+  case FileFormat::PCD:
+    return writePCD;
+  case FileFormat::PLY:
+    return writePLY;
+  case FileFormat::OBJ:
+    return writeOBJ;
+  case FileFormat::STL:
+    return writeSTL;
+  case FileFormat::OFF:
+    return writeOFF;
+  case FileFormat::TEXT:
+    return writeText;
+  }
+  throw std::logic_error("format without a writer");
 }
 
 } // namespace
 
 void
-writeGeometry(const Geometry& geometry, FileFormat format, const std::string& path)
+writeGeometry(const Geometry& geometry, FileFormat format, std::ostream& stream)
 {
-  if (format == FileFormat::PCD)
-    writePCD(withSensibleType(geometry), path);
-  else if (format == FileFormat::PLY)
-    writeStream(writerOf(format), withSensibleType(geometry), path);
-  else
-    writeStream(writerOf(format), geometry, path);
+  const bool has_types = format == FileFormat::PCD || format == FileFormat::PLY;
+  writerOf(format)(stream, has_types ? withSensibleType(geometry) : geometry);
 }
 
 } // namespace tool

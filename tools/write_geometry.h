@@ -7,18 +7,17 @@
 #include "file_format.h"
 #include "geometry.h"
 
-#include <string>
+#include <ostream>
 
 namespace tool {
 
 /** \brief Write a point cloud or mesh.
  *
  * PCD and PLY hold all fields, text all fields in columns, OBJ and OFF positions,
- * normals and colours, STL triangles. PLY, OBJ, OFF and STL hold faces. \param[in] path
- * where to write, whatever its extension \throws std::runtime_error where it cannot be
- * written; the message does not name it
+ * normals and colours, STL triangles. PLY, OBJ, OFF and STL hold faces.
+ * \param[in] stream whether it took all is to be seen from its state
  */
 void
-writeGeometry(const Geometry& geometry, FileFormat format, const std::string& path);
+writeGeometry(const Geometry& geometry, FileFormat format, std::ostream& stream);
 
 } // namespace tool
