@@ -128,6 +128,7 @@ setNumberOfPoints(pcl::PCLPointCloud2& cloud, std::size_t points)
 pcl::PCLPointCloud2
 cloudOfDoubles(const std::vector<double>& values, const std::vector<std::string>& names)
 {
+  checkNames(names);
   pcl::PCLPointCloud2 cloud;
   for (const auto& name : names)
     addField(cloud, name, pcl::PCLPointField::FLOAT64);
