@@ -6,7 +6,7 @@ packages=(
   g++ cmake ninja-build ccache
   libpcl-dev libeigen3-dev
   ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd
-  libboost-program-options-dev nlohmann-json3-dev libassimp-dev
+  libboost-program-options-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev clang libclang-rt-dev
   python3-matplotlib python3-numpy)
 

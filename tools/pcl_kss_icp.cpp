@@ -85,6 +85,16 @@ registerWithProgress(const Geometry& source, const Geometry& target, Options opt
                         options.limits);
 }
 
+/** Say how many points were left out, far away from all others. */
+void
+warnOfFarPoints(std::size_t number, const std::string& path)
+{
+  if (number > 0)
+    complain("warning: " + path + ": " + std::to_string(number) +
+             (number == 1 ? " point lies" : " points lie") +
+             " far away from all others; the search went without");
+}
+
 int
 registerFiles(const Options& options)
 {
@@ -97,6 +107,10 @@ registerFiles(const Options& options)
   const Result result = registerWithProgress(source, target, options);
 
   outputs.write(result, source);
+  if (!options.quiet && result.converged) {
+    warnOfFarPoints(result.far_points.source, options.source);
+    warnOfFarPoints(result.far_points.target, options.target);
+  }
   if (!result.converged) {
     complain("not registered: " + result.reason);
     // a broken driver says nothing about the clouds

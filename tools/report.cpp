@@ -119,6 +119,7 @@ reportText(const Result& result)
     report["alternatives"].push_back({{"transformation", toJSON(pose.transformation)},
                                       {"overlap", toJSON(pose.overlap)},
                                       {"score", pose.overlap.score}});
+  report["far_points"] = {result.far_points.source, result.far_points.target};
   report["device"] = result.device;
   for (const auto& stage : result.stages)
     report["seconds"][stage.stage] = stage.seconds;

@@ -121,10 +121,10 @@ KSSICP<PointSource, PointTarget, Scalar>::throwOnBadInput() const
 {
   if (!input_)
     throw std::invalid_argument(
-        "There is no source cloud; call setInputSource with one that has points.");
+        "There is no source cloud; set one that has points.");
   if (!target_)
     throw std::invalid_argument(
-        "There is no target cloud; call setInputTarget with one that has points.");
+        "There is no target cloud; set one that has points.");
   if (indices_ && !this->fake_indices_)
     for (const index_t index : *indices_)
       if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
