@@ -138,8 +138,8 @@ change(pcl::kss::Settings& settings, Bytes& bytes)
   settings.center_set = bytes.flag() ? CenterSet::PAPER : CenterSet::SPREAD;
   settings.rotation_set = bytes.flag() ? RotationSet::EULER : RotationSet::EVEN;
   settings.sample_points = 20 + bytes.below(32);
-  settings.angle_step = M_PI / (1 + bytes.below(2));
-  settings.even_rotations = 1 + bytes.below(12);
+  settings.angle_step = M_PI;
+  settings.even_rotations = 1 + bytes.below(3);
   settings.search_points = bytes.below(130);
   settings.local_minimum_kernel = bytes.below(9);
   settings.icp_points = bytes.below(40);

@@ -107,7 +107,7 @@ class Align:
         self.random = random.Random(seed)
 
     def settings(self):
-        return self.random.randbytes(17)
+        return self.random.randbytes(16)
 
     def cloud(self, size, axes=3, scale=b"\1", special=b"\0"):
         coordinates = self.random.randbytes(3 * size)
