@@ -18,7 +18,7 @@ add_executable(test_tool_files
   ${PROJECT_SOURCE_DIR}/tools/signals.cpp)
 target_compile_options(test_tool_files PRIVATE -Wall -Wextra)
 target_link_libraries(test_tool_files
-  PRIVATE pcl_kss_icp_files pcl_io GTest::gtest_main)
+  PRIVATE pcl_kss_icp pcl_kss_icp_files pcl_io GTest::gtest_main)
 add_test(NAME test_tool_files COMMAND test_tool_files)
 set_tests_properties(test_tool_files PROPERTIES LABELS tool TIMEOUT 120)
 
