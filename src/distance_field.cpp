@@ -5,6 +5,7 @@
 #include <pcl/registration/kss/distance_field.h>
 #include <pcl/registration/kss/stopping.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,7 +13,8 @@ namespace pcl {
 namespace kss {
 namespace {
 
-constexpr double most_cells = 4e6;
+/** A field of few points needs no more cells to find them by. */
+constexpr double most_cells = 4e6, most_cells_of_a_point = 512.0;
 
 } // namespace
 
@@ -23,9 +25,11 @@ DistanceField::DistanceField(const Points& points, float cell, float margin)
     cell = 1.0f;
   const Eigen::Vector3f extent =
       (points.rowwise().maxCoeff() - lower_).array() + margin;
+  const double most =
+      std::min(most_cells, most_cells_of_a_point * static_cast<double>(points.cols()));
   for (;; cell *= 1.25f) {
     const Eigen::Array3d cells = (extent.cast<double>() / cell).array().floor() + 1.0;
-    if (cells.prod() <= most_cells) {
+    if (cells.prod() <= most) {
       size_ = toIndices(cells, Eigen::Array3i::Constant(static_cast<int>(most_cells)));
       break;
     }

@@ -1,17 +1,21 @@
 /*
  * SPDX-License-Identifier: BSD-3-Clause
  *
- * A process forked from one that uses a device has none of the driver's threads.
+ * What OpenCL drivers do to a process: one forked from a process that uses a device has
+ * none of the driver's threads; when they come up, they take threads and signals.
  */
 
 #include "evaluator_answers.h"
 #include "opencl_faults.h"
+#include "thread_faults.h"
 
 #include <pcl/registration/kss/opencl_devices.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <csignal>
 #include <cstdlib>
 #include <functional>
 #include <thread>
@@ -145,6 +149,52 @@ TEST(ForkBefore, LeavesTheChildItsDevice)
   const int status = inChild(hasDevice);
   if (!hasDevice())
     GTEST_SKIP() << "There is no OpenCL device on this machine.";
+  EXPECT_EQ(0, status);
+}
+
+/** The same for what a driver does when it comes up. */
+class ProcessBefore : public ::testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    if (callsOf("clGetPlatformIDs") > 0)
+      GTEST_SKIP() << "This process has called OpenCL.";
+  }
+};
+
+TEST_F(ProcessBefore, KeepsItsSignalHandlers)
+{
+  const int status = inChild([] {
+    const auto handler = [](int) {};
+    const auto isKept = [&](int signal) {
+      struct sigaction action = {};
+      sigaction(signal, nullptr, &action);
+      return action.sa_handler == static_cast<void (*)(int)>(handler);
+    };
+    const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGSEGV, SIGUSR1, SIGUSR2};
+    for (const int signal : signals)
+      std::signal(signal, handler);
+    openCLDeviceNames();
+    return std::all_of(std::begin(signals), std::end(signals), isKept);
+  });
+  EXPECT_EQ(0, status);
+}
+
+TEST_F(ProcessBefore, IsNotEndedWhereThereAreNoThreadsForTheDriver)
+{
+  const int status = inChild([] {
+    Settings settings;
+    settings.threads = 1;
+    {
+      const ThreadFaults faults(0);
+      if (makeEvaluator(settings)->deviceName() != "host")
+        return false;
+    }
+    // once there are threads, there is a device
+    return makeEvaluator(settings)->deviceName() != "host" ||
+           openCLDeviceNames().empty();
+  });
   EXPECT_EQ(0, status);
 }
 
