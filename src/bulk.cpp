@@ -7,6 +7,7 @@
 #include "short_text.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace pcl {
@@ -63,6 +64,19 @@ throwIfTooWide(const Bulk& bulk)
         " from its middle, which single precision cannot square; bring it to a size "
         "between " +
         shortText(least_radius) + " and " + shortText(most_radius));
+}
+
+void
+throwIfTooFar(const Bulk& bulk)
+{
+  const double largest = bulk.middle.cwiseAbs().maxCoeff();
+  if (bulk.radius > 0.0 &&
+      bulk.radius < std::numeric_limits<float>::epsilon() * largest)
+    throw std::invalid_argument(
+        "it lies " + shortText(largest) +
+        " from the origin, where single precision rounds "
+        "coordinates by more than its points lie apart; move it "
+        "nearer");
 }
 
 } // namespace kss

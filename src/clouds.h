@@ -6,6 +6,9 @@
 
 #include <pcl/registration/kss/points.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace pcl {
 namespace kss {
 
@@ -21,6 +24,15 @@ inline float
 longestEdge(const Points& cloud)
 {
   return (cloud.rowwise().maxCoeff() - cloud.rowwise().minCoeff()).maxCoeff();
+}
+
+/** \brief How much wider than usual the cells around a cloud may be: some fifty along
+ * the cloud are too many for fewer than 216 points, 512 cells a point.
+ */
+inline float
+coarseness(const Points& cloud)
+{
+  return std::max(1.0f, 6.0f / std::cbrt(static_cast<float>(cloud.cols())));
 }
 
 } // namespace kss

@@ -5,7 +5,6 @@
 #include <pcl/registration/kss/distance_field.h>
 #include <pcl/registration/kss/stopping.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -13,8 +12,7 @@ namespace pcl {
 namespace kss {
 namespace {
 
-/** A field of few points needs no more cells to find them by. */
-constexpr double most_cells = 4e6, most_cells_of_a_point = 512.0;
+constexpr double most_cells = 4e6;
 
 } // namespace
 
@@ -25,11 +23,9 @@ DistanceField::DistanceField(const Points& points, float cell, float margin)
     cell = 1.0f;
   const Eigen::Vector3f extent =
       (points.rowwise().maxCoeff() - lower_).array() + margin;
-  const double most =
-      std::min(most_cells, most_cells_of_a_point * static_cast<double>(points.cols()));
   for (;; cell *= 1.25f) {
     const Eigen::Array3d cells = (extent.cast<double>() / cell).array().floor() + 1.0;
-    if (cells.prod() <= most) {
+    if (cells.prod() <= most_cells) {
       size_ = toIndices(cells, Eigen::Array3i::Constant(static_cast<int>(most_cells)));
       break;
     }

@@ -22,7 +22,9 @@ lookUpField(const Points& points, float limit)
   const float extent = longestEdge(points);
   const float counts = std::min(limit, 0.25f * extent);
   // the limit is wider in the frame of a source that the pose shrinks
-  return DistanceField(points, std::max(0.35f * counts, 0.02f * extent), 2.0f * counts);
+  return DistanceField(points,
+                       std::max(0.35f * counts, 0.02f * extent * coarseness(points)),
+                       2.0f * counts);
 }
 
 } // namespace kss

@@ -19,7 +19,7 @@ float
 cellFor(const Points& points)
 {
   const float extent = longestEdge(points);
-  return extent > 0.0f ? extent / 48.0f : 1.0f;
+  return extent > 0.0f ? extent / 48.0f * coarseness(points) : 1.0f;
 }
 
 } // namespace

@@ -379,6 +379,20 @@ TEST_F(Failure, OfSizesThatSinglePrecisionCannotSquare)
   expectRecovery();
 }
 
+TEST_F(Failure, OfPlacesThatSinglePrecisionCannotTellApart)
+{
+  // one coordinate of all points is the same, the others are what they were
+  for (const float place : {1e9f, 1e20f, 1e36f}) {
+    const Eigen::Vector3f shift(0.0f, place, 0.0f);
+    const auto far = cloudOf<pcl::PointXYZ>(pointsOf(*pair_.target).colwise() + shift);
+    setClouds(registration_, pair_);
+    registration_.setInputTarget(far);
+    expectFailure();
+    expectReason("from the origin");
+  }
+  expectRecovery();
+}
+
 TEST_F(Failure, OfTooFewPoints)
 {
   for (const Eigen::Index number : {3, 4, 5, 8, 12}) {

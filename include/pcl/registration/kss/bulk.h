@@ -59,5 +59,12 @@ bulkOf(std::vector<Eigen::Vector3d> some);
 void
 throwIfTooWide(const Bulk& bulk);
 
+/** \brief Throw where a cloud in single precision lies so far from the origin that its
+ * coordinates are rounded by more than its points lie apart.
+ * \throws std::invalid_argument
+ */
+void
+throwIfTooFar(const Bulk& bulk);
+
 } // namespace kss
 } // namespace pcl

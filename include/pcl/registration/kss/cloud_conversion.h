@@ -123,7 +123,8 @@ struct UsablePoints {
 /** \brief Leave out points that are not finite, or far away from all others.
  * \param[in] cloud any cloud
  * \param[in] indices of its points
- * \throws std::invalid_argument where nothing is left, or throwIfTooWide() does
+ * \throws std::invalid_argument where nothing is left, or where throwIfTooWide() or
+ * throwIfTooFar() does
  */
 template <typename PointT>
 UsablePoints
@@ -135,6 +136,7 @@ usablePoints(const PointCloud<PointT>& cloud, const Indices& indices)
     throw std::invalid_argument("it has no finite points");
   usable.bulk = bulkOf(cloud, usable.indices);
   throwIfTooWide(usable.bulk);
+  throwIfTooFar(usable.bulk);
   const auto is_far = [&](index_t i) {
     return !usable.bulk.holds(cloud[i].getVector3fMap().template cast<double>());
   };

@@ -23,7 +23,7 @@ class DistanceField {
 public:
   /** \param[in] points at least one
    * \param[in] cell the edge of a cell; it grows where more than four million cells
-   * would be needed, or more than 512 for each point
+   * would be needed
    * \param[in] margin how far the grid reaches beyond the points, on all sides
    */
   DistanceField(const Points& points, float cell, float margin);
