@@ -20,8 +20,9 @@ namespace {
 
 constexpr cl_int no_platform = -1001; // CL_PLATFORM_NOT_FOUND_KHR, of the ICD loader
 
-/** Throw where the system does not start a thread for each core: drivers for CPUs do,
- * when they come up, and PoCL ends the process where it cannot. */
+/** Throw where the system does not start a thread for each core and some processes
+ * more: drivers for CPUs do, when they come up and link kernels, and PoCL ends the
+ * process where it cannot. */
 void
 throwIfThreadsAreShort()
 {
@@ -33,7 +34,8 @@ throwIfThreadsAreShort()
   std::vector<std::thread> threads;
   bool is_short = false;
   try {
-    for (unsigned int t = 0; t < std::max(1u, std::thread::hardware_concurrency()); ++t)
+    constexpr unsigned int processes = 4;
+    for (unsigned int t = 0; t < processes + std::thread::hardware_concurrency(); ++t)
       threads.emplace_back([end] { end.wait(); });
   }
   catch (const std::system_error&) {
