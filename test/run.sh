@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and tests.
-#   test/run.sh [-DVARIABLE=VALUE ...]                 everything, in build/
-#   test/run.sh --preset NAME [-DVARIABLE=VALUE ...]   the fast tests, as a preset of
-#                                                      CMakePresets.json has them
+#   test/run.sh [-DVARIABLE=VALUE ...]        everything, in build/
+#   test/run.sh --preset NAME [--short] [-DVARIABLE=VALUE ...]
+#       the fast tests, as a preset of CMakePresets.json has them; --short: without those
+#       that take minutes under sanitizers
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -10,9 +11,14 @@ cmake/install_dependencies.sh
 if [ "${1:-}" = --preset ]; then
   preset=${2:?name a preset: release, debug, sanitize, tsan or fuzz}
   shift 2
+  targets=fast_tests without=()
+  if [ "${1:-}" = --short ]; then
+    targets=short_tests without=(--label-exclude long)
+    shift
+  fi
   cmake --fresh --preset "$preset" "$@"
-  cmake --build --preset "$preset"
-  ctest --preset "$preset" --parallel 2
+  cmake --build --preset "$preset" --target "$targets"
+  ctest --preset "$preset" --parallel 2 "${without[@]}"
 else
   cmake --fresh -S . -B build -G Ninja -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
     -DPCL_KSS_ICP_BUILD_BENCHMARKS=ON "$@"

@@ -38,7 +38,7 @@ target_compile_options(test_tool_hostile PRIVATE -Wall -Wextra)
 target_link_libraries(test_tool_hostile PRIVATE GTest::gtest Threads::Threads)
 add_test(NAME test_tool_hostile COMMAND test_tool_hostile
   $<TARGET_FILE:pcl_kss_icp_tool> --gtest_filter=-*DataForDevelopment)
-set_tests_properties(test_tool_hostile PROPERTIES LABELS "tool;fast" TIMEOUT 300)
+set_tests_properties(test_tool_hostile PROPERTIES LABELS "tool;fast;long" TIMEOUT 300)
 add_dependencies(fast_tests test_tool_hostile pcl_kss_icp_tool)
 add_test(NAME test_tool_hostile_data COMMAND test_tool_hostile
   $<TARGET_FILE:pcl_kss_icp_tool> --gtest_filter=*DataForDevelopment)
