@@ -5,6 +5,7 @@
 #include "fields.h"
 #include "mesh_sampling.h"
 #include "output_file.h"
+#include "own_folder.h"
 #include "read_geometry.h"
 #include "vector_field.h"
 #include "write_geometry.h"
@@ -29,37 +30,14 @@ namespace {
 
 const double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 
-/** A directory of its own for every test. */
-class ToolFiles : public ::testing::Test {
+class ToolFiles : public kss_test::OwnFolder {
 protected:
+  using OwnFolder::write;
+
   void
   SetUp() override
   {
     pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    directory_ =
-        std::filesystem::temp_directory_path() /
-        (std::string("pcl_kss_icp_") + test->name() + std::to_string(getpid()));
-    std::filesystem::create_directories(directory_);
-  }
-
-  void
-  TearDown() override
-  {
-    std::filesystem::remove_all(directory_);
-  }
-
-  std::string
-  path(const std::string& name) const
-  {
-    return (directory_ / name).string();
-  }
-
-  std::string
-  write(const std::string& name, const std::string& content) const
-  {
-    std::ofstream(path(name), std::ios::binary) << content;
-    return path(name);
   }
 
   std::string
@@ -93,7 +71,6 @@ protected:
   }
 
 private:
-  std::filesystem::path directory_;
 };
 
 std::string

@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
+#include "own_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,35 +45,12 @@ struct Outcome {
   long megabytes;
 };
 
-class HostileRun : public ::testing::Test {
+class HostileRun : public kss_test::OwnFolder {
 protected:
   void
   SetUp() override
   {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    directory_ =
-        std::filesystem::temp_directory_path() /
-        (std::string("pcl_kss_icp_") + test->name() + std::to_string(getpid()));
-    std::filesystem::create_directories(directory_);
     write("cloud.xyz", blob(1500));
-  }
-
-  void
-  TearDown() override
-  {
-    std::filesystem::remove_all(directory_);
-  }
-
-  std::string
-  path(const std::string& name) const
-  {
-    return (directory_ / name).string();
-  }
-
-  void
-  write(const std::string& name, const std::string& content) const
-  {
-    std::ofstream(path(name), std::ios::binary) << content;
   }
 
   /** Rows of points of a surface without any symmetry. */
@@ -89,15 +68,6 @@ protected:
       rows << x * far << ' ' << y * far << ' ' << z * far << '\n';
     }
     return rows.str();
-  }
-
-  std::set<std::string>
-  files() const
-  {
-    std::set<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(directory_))
-      names.insert(entry.path().filename().string());
-    return names;
   }
 
   /** Start the tool in the directory with its files. */
@@ -176,7 +146,6 @@ protected:
   rlim_t file_size_limit_ = 0;
 
 private:
-  std::filesystem::path directory_;
 };
 
 std::string

@@ -5,6 +5,7 @@
 #include "fields.h"
 #include "local_frame.h"
 #include "output_file.h"
+#include "own_folder.h"
 #include "read_geometry.h"
 #include "write_geometry.h"
 
@@ -29,35 +30,12 @@ using namespace tool;
 
 namespace {
 
-class HostileFiles : public ::testing::Test {
+class HostileFiles : public kss_test::OwnFolder {
 protected:
-  void
-  SetUp() override
-  {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    directory_ =
-        std::filesystem::temp_directory_path() /
-        (std::string("pcl_kss_icp_") + test->name() + std::to_string(getpid()));
-    std::filesystem::create_directories(directory_);
-  }
-
-  void
-  TearDown() override
-  {
-    std::filesystem::remove_all(directory_);
-  }
-
-  std::string
-  path(const std::string& name) const
-  {
-    return (directory_ / name).string();
-  }
-
   Geometry
   read(const std::string& name, const std::string& content) const
   {
-    std::ofstream(path(name), std::ios::binary) << content;
-    return readGeometry(path(name));
+    return readGeometry(write(name, content));
   }
 
   /** What is said about a file, without its name; empty where it is taken. */
@@ -74,7 +52,6 @@ protected:
   }
 
 private:
-  std::filesystem::path directory_;
 };
 
 #define EXPECT_SAYS(words, refusal)                                                    \

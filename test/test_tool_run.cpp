@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
+#include "own_folder.h"
+
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
@@ -111,15 +113,13 @@ struct Outcome {
   std::string output, errors;
 };
 
-class ToolRun : public ::testing::Test {
+class ToolRun : public kss_test::OwnFolder {
 protected:
+  using OwnFolder::write;
+
   void
   SetUp() override
   {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    directory_ =
-        std::filesystem::temp_directory_path() /
-        (std::string("pcl_kss_icp_") + test->name() + std::to_string(getpid()));
     std::filesystem::create_directories(directory_ / "console");
     // a source near the origin, a target far away
     write("source.xyz", blob());
@@ -130,18 +130,6 @@ protected:
     write("short.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
     write("binary.xyz", "1 2 3\n4 \x1b[31m\v\a\r 6\n");
     std::filesystem::create_directory(directory_ / "a_directory.ply");
-  }
-
-  void
-  TearDown() override
-  {
-    std::filesystem::remove_all(directory_);
-  }
-
-  void
-  write(const std::string& name, const std::string& content) const
-  {
-    std::ofstream(directory_ / name) << content;
   }
 
   void
@@ -181,15 +169,6 @@ protected:
     return std::filesystem::exists(directory_ / name);
   }
 
-  std::set<std::string>
-  files() const
-  {
-    std::set<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(directory_))
-      names.insert(entry.path().filename().string());
-    return names;
-  }
-
   /** Run the tool in the directory with its files. */
   Outcome
   run(const std::string& arguments) const
@@ -210,7 +189,6 @@ protected:
   }
 
 private:
-  std::filesystem::path directory_;
 };
 
 Eigen::Matrix4d
