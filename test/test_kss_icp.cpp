@@ -313,6 +313,22 @@ TEST(KSSICP, RespectsIndices)
   EXPECT_EQ(found, trial.align());
 }
 
+TEST(KSSICP, TakesMoreIndicesThanPoints)
+{
+  // PCL asserts that there are not where it copies the points that indices name
+  const auto pair = pairOf(randomSimilarity(34));
+  const auto indices = pcl::make_shared<pcl::Indices>();
+  for (int times = 0; times < 2; ++times)
+    for (std::size_t i = 0; i < pair.source->size(); ++i)
+      indices->push_back(static_cast<pcl::index_t>(i));
+  Trial trial(pair);
+  trial.registration.setIndices(indices);
+  trial.align();
+  EXPECT_TRUE(trial.registration.hasConverged());
+  EXPECT_EQ(indices->size(), trial.output.size());
+  expectRight(trial.registration, pair);
+}
+
 TEST(KSSICP, RespectsAsManyIndicesAsPoints)
 {
   const auto pair = pairOf(randomSimilarity(34));

@@ -120,11 +120,9 @@ void
 KSSICP<PointSource, PointTarget, Scalar>::throwOnBadInput() const
 {
   if (!input_)
-    throw std::invalid_argument(
-        "There is no source cloud; set one that has points.");
+    throw std::invalid_argument("There is no source cloud; set one that has points.");
   if (!target_)
-    throw std::invalid_argument(
-        "There is no target cloud; set one that has points.");
+    throw std::invalid_argument("There is no target cloud; set one that has points.");
   if (indices_ && !this->fake_indices_)
     for (const index_t index : *indices_)
       if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
@@ -215,8 +213,11 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
     criteria->setRoundingError(kss::roundingError(*target_, target_points.indices));
   Indices used = kss::spread(source_points.indices, settings_.icp_points);
   kss::sortInSpace(*input_, used);
-  const auto source = pcl::make_shared<PointCloudSource>(*input_, used);
-  source->is_dense = true;
+  const auto source = pcl::make_shared<PointCloudSource>();
+  source->header = input_->header;
+  source->reserve(used.size());
+  for (const index_t i : used) // may name points more than once
+    source->push_back((*input_)[i]);
   std::vector<Contender> contenders;
   for (const Alternative& alternative : found)
     contenders.push_back({alternative, {}});
