@@ -393,6 +393,19 @@ TEST_F(Failure, OfPlacesThatSinglePrecisionCannotTellApart)
   expectRecovery();
 }
 
+TEST_F(Failure, OfATargetThatPCLsTreeCannotHold)
+{
+  const auto wide = pcl::make_shared<Cloud>(*pair_.target);
+  for (int i = 0; i < 40; ++i) {
+    const float place = (i % 2 ? -3e38f : 3e38f) / (1 + i);
+    wide->push_back({place, -place, place});
+  }
+  registration_.setInputTarget(wide);
+  expectFailure();
+  expectReason("target");
+  expectRecovery();
+}
+
 TEST_F(Failure, OfTooFewPoints)
 {
   for (const Eigen::Index number : {3, 4, 5, 8, 12}) {

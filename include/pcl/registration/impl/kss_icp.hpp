@@ -123,6 +123,9 @@ KSSICP<PointSource, PointTarget, Scalar>::throwOnBadInput() const
     throw std::invalid_argument("There is no source cloud; set one that has points.");
   if (!target_)
     throw std::invalid_argument("There is no target cloud; set one that has points.");
+  if (!kss::canBeSearched(*target_))
+    throw std::invalid_argument("The target cloud has points more than 1e38 from the "
+                                "origin, too far for PCL's tree; leave them out.");
   if (indices_ && !this->fake_indices_)
     for (const index_t index : *indices_)
       if (index < 0 || static_cast<std::size_t>(index) >= input_->size())

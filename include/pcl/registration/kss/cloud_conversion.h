@@ -44,6 +44,20 @@ allIndices(const PointCloud<PointT>& cloud)
   return all;
 }
 
+/** \brief Whether all differences and sums of finite coordinates are floats. PCL's tree
+ * ends the process where they are not.
+ */
+template <typename PointT>
+bool
+canBeSearched(const PointCloud<PointT>& cloud)
+{
+  constexpr float farthest = 1e38f;
+  return std::none_of(cloud.begin(), cloud.end(), [](const PointT& point) {
+    const Eigen::Vector3f place = point.getVector3fMap();
+    return place.allFinite() && place.cwiseAbs().maxCoeff() > farthest;
+  });
+}
+
 /** \brief So many of the indices, spread over all of them; a step that wanders keeps
  * clear of the rows of an organized cloud.
  * \param[in] indices any number
