@@ -96,6 +96,9 @@ openCLPrograms(const std::string& name, unsigned int threads)
 {
   struct Known {
     std::vector<std::shared_ptr<OpenCLProgram>> programs;
+    // The last ones that were lost: PoCL's threads may still be about to let go of the
+    // last command after it has been waited for, and need its context for that.
+    std::vector<std::shared_ptr<OpenCLProgram>> lost;
     std::string build_failure;
   };
   enterOpenCL(); // before the lock, which a child may have inherited
@@ -108,7 +111,7 @@ openCLPrograms(const std::string& name, unsigned int threads)
     throw DeviceError(known.build_failure);
   if (std::any_of(known.programs.begin(), known.programs.end(),
                   [](const auto& program) { return program->isLost(); }))
-    known.programs.clear();
+    known.lost = std::exchange(known.programs, {});
   if (known.programs.empty()) {
     decltype(known.programs) built;
     try {
