@@ -7,9 +7,8 @@
 
 #include "process.h"
 
-#include <pcl/registration/kss/candidate_search.h>
-#include <pcl/registration/kss/distance_bounds.h>
-#include <pcl/registration/kss/distances.h>
+#include "evaluators/evaluator_choice.h"
+#include "search/screening.h"
 
 #include <benchmark/benchmark.h>
 
@@ -64,7 +63,7 @@ countItems(benchmark::State& state, double items)
 void
 PairDistances(benchmark::State& state)
 {
-  const auto evaluator = makeEvaluator(Settings());
+  const auto evaluator = makePairDistances(Settings());
   evaluator->setClouds(sphere(1), sphere(2));
   const auto placements = somePlacements(500);
   evaluator->evaluate(placements);
@@ -79,7 +78,7 @@ void
 LookUps(benchmark::State& state)
 {
   Settings settings;
-  const auto evaluator = makeLookUpEvaluator(settings);
+  const auto evaluator = makeLookUps(settings);
   evaluator->setClouds(sphere(1), sphere(2), 0.35f);
   const auto placements = somePlacements(50000);
   evaluator->evaluate(placements);
@@ -93,7 +92,7 @@ BENCHMARK(LookUps)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 void
 BoundLookUps(benchmark::State& state)
 {
-  const auto bounds = makeBoundsEvaluator(Settings());
+  const auto bounds = makeBounds(Settings());
   BoundsScope scope;
   scope.largest_shift = 2.0;
   bounds->setClouds(sphere(1), sphere(2), scope);
@@ -118,7 +117,7 @@ ScreeningLookUps(benchmark::State& state)
   const std::shared_ptr<const CandidateRotations> rotations =
       candidateRotations(settings);
   const Candidates candidates(rotations, {1.0}, spreadCenters(target, 1.6, 0.3),
-                              Side::TARGET);
+                              Role::TARGET);
   screening.lowest(candidates, 8000);
   for (auto _ : state)
     benchmark::DoNotOptimize(screening.lowest(candidates, 8000));

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include <pcl/registration/kss/points.h>
+#include <pcl/registration/kss/detail/points.h>
 
 #include <algorithm>
 #include <cmath>

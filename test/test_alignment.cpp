@@ -5,7 +5,8 @@
 #include "poses.h"
 
 #include <pcl/registration/kss/alignment.h>
-#include <pcl/registration/kss/opencl_devices.h>
+#include <pcl/registration/kss/detail/similarity.h>
+#include <pcl/registration/kss/devices.h>
 
 #include <gtest/gtest.h>
 
@@ -39,15 +40,24 @@ quick()
   return settings;
 }
 
+template <typename AlignmentT>
+Aligned
+alignedBy(AlignmentT&& alignment,
+          const Points& source,
+          const Points& target,
+          double known_scale = 1.0)
+{
+  Stages stages;
+  return alignment.align(local(source), local(target), known_scale, stages);
+}
+
 Alternatives
 aligned(const Settings& settings,
         const Points& source,
         const Points& target,
         double known_scale = 1.0)
 {
-  Alignment alignment(settings);
-  alignment.setClouds(local(source), local(target), known_scale);
-  return alignment.align();
+  return alignedBy(Alignment(settings), source, target, known_scale).alternatives;
 }
 
 TEST(Alignment, FindsRandomSimilarities)
@@ -167,21 +177,19 @@ TEST(Alignment, ListsDistinctPosesByFallingScore)
 {
   const Points source = sampled(creature(), 3000, 29);
   const Points target = sampled(creature(), 3000, 30);
-  Alignment alignment(quick());
-  alignment.setClouds(local(source), local(target), 1.0);
-  const auto found = alignment.align();
+  const auto [found, scorer] = alignedBy(Alignment(quick()), source, target);
   ASSERT_GT(found.size(), 1u);
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_TRUE(isSimilarity(found[i].transformation));
-    // the overlap is the one that judge() gives
-    const Alternative judged = alignment.judge(found[i].transformation);
+    // the overlap is the one that the scorer gives
+    const Alternative judged = scorer.scored(found[i].transformation);
     EXPECT_EQ(found[i].transformation, judged.transformation);
     EXPECT_NEAR(judged.overlap.score, found[i].overlap.score, 1e-3);
     EXPECT_NEAR(judged.overlap.source, found[i].overlap.source, 2e-3);
     EXPECT_NEAR(judged.overlap.target, found[i].overlap.target, 2e-3);
     for (std::size_t j = 0; j < i; ++j) {
       EXPECT_GE(found[j].overlap.score, found[i].overlap.score);
-      EXPECT_FALSE(alignment.same(found[i].transformation, found[j].transformation));
+      EXPECT_FALSE(scorer.areSame(found[i].transformation, found[j].transformation));
     }
   }
 }
@@ -225,14 +233,14 @@ TEST(Alignment, HasAnOverlapThatTellsRightFromWrong)
   const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
   for (unsigned int seed = 40; seed < 44; ++seed) {
     const Points source = sampled(creature(), 5000, seed);
-    alignment.setClouds(local(source), local(sampled(creature(), 5000, seed + 10)),
-                        1.0);
+    const PoseScorer scorer =
+        alignedBy(alignment, source, sampled(creature(), 5000, seed + 10)).scorer;
     // two samplings of one surface come to one and a half
-    EXPECT_NEAR(1.5, alignment.judge(identity).overlap.score, 0.1);
-    EXPECT_LT(alignment.judge(turn(60.0, {0.0, 1.0, 0.0})).overlap.score, 0.45);
-    alignment.setClouds(local(source), local(source), 1.0);
+    EXPECT_NEAR(1.5, scorer.scored(identity).overlap.score, 0.1);
+    EXPECT_LT(scorer.scored(turn(60.0, {0.0, 1.0, 0.0})).overlap.score, 0.45);
+    const PoseScorer same = alignedBy(alignment, source, source).scorer;
     // nearest points are missed rarely: by one or two of 5000
-    EXPECT_NEAR(2.0, alignment.judge(identity).overlap.score, 1e-3);
+    EXPECT_NEAR(2.0, same.scored(identity).overlap.score, 1e-3);
   }
 }
 
@@ -277,8 +285,7 @@ TEST(Alignment, KeepsNothingThatShows)
   Alignment alignment(settings);
   const auto expectAsFresh = [&](const Points& source, const Points& target,
                                  double known_scale) {
-    alignment.setClouds(local(source), local(target), known_scale);
-    const auto found = alignment.align();
+    const auto found = alignedBy(alignment, source, target, known_scale).alternatives;
     const auto expected = aligned(settings, source, target, known_scale);
     ASSERT_EQ(expected.size(), found.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -370,20 +377,21 @@ TEST(Alignment, ReportsProgressAndTime)
     done[stage] = share;
   };
   Alignment alignment(settings);
-  alignment.setClouds(local(sampled(creature(), 2000, 54)),
-                      local(sampled(creature(), 2000, 55)), 1.0);
-  alignment.align();
-  const std::vector<std::string> stages{"preparation", "simplification", "search",
+  Stages stages;
+  stages.restart(settings.progress);
+  alignment.align(local(sampled(creature(), 2000, 54)),
+                  local(sampled(creature(), 2000, 55)), 1.0, stages);
+  const std::vector<std::string> expected{"preparation", "simplification", "search",
                                         "refinement"};
-  EXPECT_EQ(stages, order);
+  EXPECT_EQ(expected, order);
   for (const auto& stage : done)
     EXPECT_EQ(1.0, stage.second) << stage.first;
   std::vector<std::string> timed;
-  for (const StageSeconds& stage : alignment.clock().stages()) {
+  for (const StageSeconds& stage : stages.seconds()) {
     timed.push_back(stage.stage);
     EXPECT_GE(stage.seconds, 0.0);
   }
-  EXPECT_EQ(stages, timed);
+  EXPECT_EQ(expected, timed);
 }
 
 } // namespace

@@ -10,7 +10,7 @@
 
 #include <pcl/console/print.h>
 
-#include <read_geometry.h>
+#include "io/read_geometry.h"
 
 #include <cstdint>
 #include <filesystem>

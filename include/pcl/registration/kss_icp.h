@@ -7,16 +7,20 @@
 #include <pcl/point_types.h>
 #include <pcl/registration/icp.h>
 #include <pcl/registration/kss/alignment.h>
-#include <pcl/registration/kss/bulk.h>
-#include <pcl/registration/kss/confidence.h>
+#include <pcl/registration/kss/devices.h>
 #include <pcl/registration/kss/failure.h>
+#include <pcl/registration/kss/result.h>
 #include <pcl/registration/kss/settings.h>
-#include <pcl/registration/kss/stopping.h>
+#include <pcl/registration/kss/stages.h>
+#include <pcl/registration/kss/detail/cloud_conversion.h>
+#include <pcl/registration/kss/detail/stopping.h>
 
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -82,7 +86,7 @@ namespace pcl {
  * \ingroup registration
  */
 template <typename PointSource, typename PointTarget, typename Scalar = float>
-class KSSICP : public IterativeClosestPoint<PointSource, PointTarget, Scalar> {
+class PCL_KSS_ICP_EXPORT KSSICP : public IterativeClosestPoint<PointSource, PointTarget, Scalar> {
   using Base = IterativeClosestPoint<PointSource, PointTarget, Scalar>;
 
 public:
@@ -503,7 +507,7 @@ public:
   const std::vector<kss::StageSeconds>&
   getStageSeconds() const
   {
-    return stage_seconds_;
+    return stages_.seconds();
   }
 
   /** \brief Get the name of the device that the last align() searched on. */
@@ -560,8 +564,8 @@ protected:
   computeTransformation(PointCloudSource& output, const Matrix4& guess) override;
 
 private:
-  /** \brief Where one run of ICP on the clouds ended. */
-  struct HandOff {
+  /** \brief Where one run of the final ICP ended. */
+  struct Run {
     Matrix4 transformation, last_increment, previous_increment;
     int iterations;
     bool converged;
@@ -571,11 +575,11 @@ private:
   };
 
   /** \brief A pose that competes to be the result; one that the search found has no run
-   * of ICP on the clouds yet.
+   * of the final ICP yet.
    */
   struct Contender {
     Alternative pose;
-    std::shared_ptr<HandOff> run;
+    std::shared_ptr<Run> run;
   };
 
   /** \brief Take a value, or say why it is refused and keep the old one. */
@@ -604,24 +608,54 @@ private:
   void
   registerClouds(const Matrix4& guess);
 
-  /** \brief IterativeClosestPoint on the clouds themselves: T of (e11).
+  /** \brief The points of both clouds that a registration goes by.
+   * \param[in] guess where the source is taken to; none: nowhere
+   * \throws std::invalid_argument where a cloud has none, or the guess takes the source
+   * far away from the target
+   */
+  std::pair<kss::UsablePoints, kss::UsablePoints>
+  usablePoints(const std::optional<Eigen::Matrix4d>& guess) const;
+
+  /** \brief The alignment stage for the settings: the one of the last time, which has
+   * kept what it made of the clouds, where they ask for the same work.
+   */
+  kss::Alignment&
+  alignmentStage();
+
+  /** \brief Run the final ICP from the guess and the best contenders, until the best
+   * has been through it, and put that first.
+   * \param[in] source the points that take part
+   * \return why the work came to no end; empty if it did
+   */
+  std::string
+  settle(const PointCloudSourceConstPtr& source,
+         const kss::PoseScorer& scorer,
+         const std::optional<Eigen::Matrix4d>& guess,
+         std::vector<Contender>& contenders);
+
+  /** \brief IterativeClosestPoint on the clouds themselves: T of (e11). It alone borrows
+   * the members of the base class.
    * \param[in] source the points that take part
    * \param[in] contender where to start
    */
   Contender
-  handOff(const PointCloudSourceConstPtr& source, const Contender& contender);
+  finalICP(const PointCloudSourceConstPtr& source,
+           const kss::PoseScorer& scorer,
+           const Alternative& contender);
 
   /** \brief Put the highest score first. */
   static void
   rank(std::vector<Contender>& contenders);
 
-  /** \brief Hand off the best until the best has been handed off, and put it first. */
-  void
-  settle(const PointCloudSourceConstPtr& source, std::vector<Contender>& contenders);
-
-  /** \brief Take a contender as the result; one that has no run as it is. */
+  /** \brief Take a contender as the result; one that has no run as it is.
+   * \param[in] source_indices of the points that took part
+   */
   void
   accept(const Contender& contender, const Indices& source_indices);
+
+  /** \brief List the distinct poses among the contenders, the result first. */
+  void
+  list(const std::vector<Contender>& contenders, const kss::PoseScorer& scorer);
 
   /** \brief Decide whether the result has converged, and if not, say why.
    * \param[in] stopped why the work came to no end; empty if it did
@@ -629,16 +663,13 @@ private:
   void
   judgeResult(const std::string& stopped);
 
-  /** \brief Tell the progress callback, if there is one. */
-  void
-  report(const char* stage, double done) const;
-
   /** \brief Say why there is no result, and leave the guess as the transformation. */
   void
   giveUp(const Matrix4& guess, const kss::Failure& failure);
 
   kss::Settings settings_;
   std::unique_ptr<kss::Alignment> alignment_; ///< keeps what the next align() can use
+  kss::Stages stages_;
   double minimum_confidence_ = 0.5;
   double time_limit_ = 0.0;
   kss::StopSignal stop_;
@@ -646,7 +677,6 @@ private:
 
   kss::Alternatives alternatives_;
   kss::FarPoints far_points_;
-  std::vector<kss::StageSeconds> stage_seconds_;
   std::string device_name_;
   kss::Failure failure_;
 };

@@ -5,10 +5,11 @@
 #pragma once
 
 #include <pcl/console/print.h>
-#include <pcl/registration/kss/cloud_conversion.h>
-#include <pcl/registration/kss/hand_off_criteria.h>
-#include <pcl/registration/kss/naming.h>
-#include <pcl/registration/kss/tracked_correspondences.h>
+#include <pcl/registration/kss/detail/cloud_conversion.h>
+#include <pcl/registration/kss/detail/final_icp.h>
+#include <pcl/registration/kss/detail/naming.h>
+#include <pcl/registration/kss/detail/similarity.h>
+#include <pcl/registration/kss/detail/tracked_correspondences.h>
 #include <pcl/registration/kss_icp.h>
 
 #include <algorithm>
@@ -16,24 +17,6 @@
 #include <stdexcept>
 
 namespace pcl {
-namespace kss {
-
-/** \brief ICP on the clouds can cost a pose the lead that it had among the simplified
- * ones: then the next one gets its chance, so often at most. */
-constexpr int most_hand_offs = 3;
-
-/** \brief Correspondences of the final ICP are no longer than so many spacings. */
-constexpr double hand_off_reach = 4.0;
-
-/** \brief The share of the score that a pose may lose to the final ICP: what chance
- * causes. */
-constexpr double hand_off_loss = 0.01;
-
-/** \brief Thrown through ICP where its transformation is none that points can follow:
- * PCL asserts that they are finite. */
-struct NoPose {};
-
-} // namespace kss
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 KSSICP<PointSource, PointTarget, Scalar>::KSSICP()
@@ -41,7 +24,7 @@ KSSICP<PointSource, PointTarget, Scalar>::KSSICP()
   reg_name_ = "KSSICP";
   this->max_iterations_ = 300;
   this->euclidean_fitness_epsilon_ = 1e-5;
-  convergence_criteria_.reset(new kss::HandOffCriteria<Scalar>(
+  convergence_criteria_.reset(new kss::FinalICPCriteria<Scalar>(
       nr_iterations_, transformation_, *correspondences_));
   convergence_criteria_->setAbsoluteMSE(0.0);
   convergence_criteria_->setFailureAfterMaximumIterations(true);
@@ -177,77 +160,67 @@ void
 KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
 {
   failure_ = {};
-  const bool has_guess = guess != Matrix4::Identity();
-  const Eigen::Matrix4d guessed = guess.template cast<double>();
-  if (has_guess && !kss::isSimilarity(guessed))
-    throw std::invalid_argument(
-        "The guess is not a rotation, translation and positive scale.");
-
-  // clouds
-  const kss::UsablePoints source_points =
-      kss::naming("source", [&] { return kss::usablePoints(*input_, *indices_); });
-  const kss::UsablePoints target_points = kss::naming(
-      "target", [&] { return kss::usablePoints(*target_, kss::allIndices(*target_)); });
+  stages_.restart(settings_.progress);
+  std::optional<Eigen::Matrix4d> guessed;
+  if (guess != Matrix4::Identity())
+    guessed = guess.template cast<double>();
+  const auto [source_points, target_points] = usablePoints(guessed);
   far_points_ = {source_points.far, target_points.far};
-  if (has_guess &&
-      !target_points.bulk.holds(
-          (guessed * source_points.bulk.middle.homogeneous()).template head<3>()))
-    throw std::invalid_argument("The guess takes the source far away from the target: "
-                                "is it in the units of the clouds?");
 
-  // simplification, pre-shape, {O}, energies, minima, ICP on each
-  if (alignment_ && kss::sameWork(alignment_->settings(), settings_))
-    alignment_->setProgress(settings_.progress);
-  else
-    alignment_ = std::make_unique<kss::Alignment>(settings_);
-  kss::Alignment& alignment = *alignment_;
-  alignment.setClouds(kss::toLocalCloud(*input_, source_points),
-                      kss::toLocalCloud(*target_, target_points),
-                      has_guess ? kss::scaleOf(guessed) : 1.0);
-  if (has_guess)
-    alignment.throwIfUndetermined(kss::scaleOf(guessed));
-  const kss::Alternatives found = alignment.align();
+  // simplification, pre-shapes, {C} x {O}, energies, minima, ICP on each
+  kss::Alignment& alignment = alignmentStage();
+  std::optional<double> guessed_scale;
+  if (guessed)
+    guessed_scale = kss::scaleOf(*guessed);
+  const kss::Aligned aligned =
+      alignment.align(kss::toLocalCloud(*input_, source_points),
+                      kss::toLocalCloud(*target_, target_points), guessed_scale, stages_);
   device_name_ = alignment.deviceName();
 
   // ICP on the clouds themselves
-  report("hand-off", 0.0);
+  stages_.begin("final ICP");
   if (auto* criteria =
-          dynamic_cast<kss::HandOffCriteria<Scalar>*>(convergence_criteria_.get()))
+          dynamic_cast<kss::FinalICPCriteria<Scalar>*>(convergence_criteria_.get()))
     criteria->setRoundingError(kss::roundingError(*target_, target_points.indices));
   Indices used = kss::spread(source_points.indices, settings_.icp_points);
   kss::sortInSpace(*input_, used);
-  const auto source = pcl::make_shared<PointCloudSource>();
-  source->header = input_->header;
-  source->reserve(used.size());
-  for (const index_t i : used) // may name points more than once
-    source->push_back((*input_)[i]);
   std::vector<Contender> contenders;
-  for (const Alternative& alternative : found)
+  for (const Alternative& alternative : aligned.alternatives)
     contenders.push_back({alternative, {}});
-  std::string stopped;
-  try {
-    if (has_guess) {
-      contenders.push_back({alignment.judge(guessed), {}});
-      contenders.back() = handOff(source, contenders.back());
-    }
-    settle(source, contenders);
-  }
-  catch (const kss::Stopped& stop) {
-    stopped = stop.what();
-    rank(contenders); // and the best so far has to do
-  }
+  const std::string stopped =
+      settle(kss::pointsAt(*input_, used), aligned.scorer, guessed, contenders);
   accept(contenders.front(), used);
-  for (const Contender& contender : contenders)
-    if (std::none_of(alternatives_.begin(), alternatives_.end(),
-                     [&](const Alternative& listed) {
-                       return alignment.same(listed.transformation,
-                                             contender.pose.transformation);
-                     }))
-      alternatives_.push_back(contender.pose);
-  report("hand-off", 1.0);
-  alignment.clock().lap("hand-off");
-  stage_seconds_ = alignment.clock().stages();
+  list(contenders, aligned.scorer);
+  stages_.end();
   judgeResult(stopped);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+std::pair<kss::UsablePoints, kss::UsablePoints>
+KSSICP<PointSource, PointTarget, Scalar>::usablePoints(
+    const std::optional<Eigen::Matrix4d>& guess) const
+{
+  if (guess && !kss::isSimilarity(*guess))
+    throw std::invalid_argument(
+        "The guess is not a rotation, translation and positive scale.");
+  const kss::UsablePoints source =
+      kss::naming("source", [&] { return kss::usablePoints(*input_, *indices_); });
+  const kss::UsablePoints target = kss::naming(
+      "target", [&] { return kss::usablePoints(*target_, kss::allIndices(*target_)); });
+  if (guess && !target.bulk.holds(
+                   (*guess * source.bulk.middle.homogeneous()).template head<3>()))
+    throw std::invalid_argument("The guess takes the source far away from the target: "
+                                "is it in the units of the clouds?");
+  return {source, target};
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+kss::Alignment&
+KSSICP<PointSource, PointTarget, Scalar>::alignmentStage()
+{
+  if (!alignment_ || !kss::sameWork(alignment_->settings(), settings_))
+    alignment_ = std::make_unique<kss::Alignment>(settings_);
+  return *alignment_;
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -261,32 +234,45 @@ KSSICP<PointSource, PointTarget, Scalar>::rank(std::vector<Contender>& contender
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
-void
-KSSICP<PointSource, PointTarget, Scalar>::settle(const PointCloudSourceConstPtr& source,
-                                                 std::vector<Contender>& contenders)
-{
+std::string
+KSSICP<PointSource, PointTarget, Scalar>::settle(
+    const PointCloudSourceConstPtr& source,
+    const kss::PoseScorer& scorer,
+    const std::optional<Eigen::Matrix4d>& guess,
+    std::vector<Contender>& contenders)
+try {
+  if (guess) {
+    contenders.push_back({scorer.scored(*guess), {}});
+    contenders.back() = finalICP(source, scorer, contenders.back().pose);
+  }
   rank(contenders);
-  for (int runs = 0; runs < kss::most_hand_offs && !contenders.front().run; ++runs) {
+  for (int runs = 0; runs < kss::most_final_icps && !contenders.front().run; ++runs) {
     // where nothing fits, one run is enough to say so
     if (runs > 0 &&
         kss::confidenceOf(contenders.front().pose.overlap) < minimum_confidence_)
       break;
-    contenders.front() = handOff(source, contenders.front());
+    contenders.front() = finalICP(source, scorer, contenders.front().pose);
     rank(contenders);
   }
   const auto best =
       std::find_if(contenders.begin(), contenders.end(),
                    [](const Contender& contender) { return contender.run != nullptr; });
   std::rotate(contenders.begin(), best, best + 1);
+  return "";
+}
+catch (const kss::Stopped& stop) {
+  rank(contenders); // and the best so far has to do
+  return stop.what();
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 typename KSSICP<PointSource, PointTarget, Scalar>::Contender
-KSSICP<PointSource, PointTarget, Scalar>::handOff(
-    const PointCloudSourceConstPtr& source, const Contender& contender)
+KSSICP<PointSource, PointTarget, Scalar>::finalICP(
+    const PointCloudSourceConstPtr& source,
+    const kss::PoseScorer& scorer,
+    const Alternative& contender)
 {
-  const kss::Alignment& alignment = *alignment_;
-  const Eigen::Matrix4d& pose = contender.pose.transformation;
+  const Eigen::Matrix4d& pose = contender.transformation;
 
   // ICP reads input_, all of it; it gets those points for so long
   struct Restore {
@@ -303,7 +289,7 @@ KSSICP<PointSource, PointTarget, Scalar>::handOff(
   // a point farther away than a few spacings has no counterpart
   if (settings_.mode != kss::Mode::GLOBAL_GLOBAL)
     corr_dist_threshold_ =
-        std::min(corr_dist_threshold_, kss::hand_off_reach * alignment.spacing(pose));
+        std::min(corr_dist_threshold_, kss::final_icp_reach * scorer.spacingAt(pose));
   PointCloudSource unused;
   bool is_pose = true;
   try {
@@ -315,20 +301,20 @@ KSSICP<PointSource, PointTarget, Scalar>::handOff(
   }
   if (!is_pose)
     transformation_ = previous_transformation_ = Matrix4::Identity();
-  HandOff run{final_transformation_, transformation_, previous_transformation_,
-              nr_iterations_,        converged_,      *correspondences_};
+  Run run{final_transformation_, transformation_, previous_transformation_,
+          nr_iterations_,        converged_,      *correspondences_};
 
   // an estimation can be singular, and nearest points lead astray where noise is heavy
-  Alternative after = contender.pose;
+  Alternative after = contender;
   if (is_pose)
-    after = alignment.judge(final_transformation_.template cast<double>());
+    after = scorer.scored(final_transformation_.template cast<double>());
   if (!is_pose ||
-      after.overlap.score < (1.0 - kss::hand_off_loss) * contender.pose.overlap.score) {
-    after = contender.pose;
+      after.overlap.score < (1.0 - kss::final_icp_loss) * contender.overlap.score) {
+    after = contender;
     run.transformation = pose.cast<Scalar>();
     run.converged = true;
   }
-  return {after, std::make_shared<HandOff>(run)};
+  return {after, std::make_shared<Run>(run)};
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -342,7 +328,7 @@ KSSICP<PointSource, PointTarget, Scalar>::accept(const Contender& contender,
     final_transformation_ = contender.pose.transformation.template cast<Scalar>();
     return;
   }
-  const HandOff& run = *contender.run;
+  const Run& run = *contender.run;
   if (run.correspondences.size() < this->min_number_correspondences_)
     throw kss::RegistrationError(
         kss::FailureCause::UNSETTLED,
@@ -360,6 +346,20 @@ KSSICP<PointSource, PointTarget, Scalar>::accept(const Contender& contender,
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 void
+KSSICP<PointSource, PointTarget, Scalar>::list(
+    const std::vector<Contender>& contenders, const kss::PoseScorer& scorer)
+{
+  for (const Contender& contender : contenders)
+    if (std::none_of(alternatives_.begin(), alternatives_.end(),
+                     [&](const Alternative& listed) {
+                       return scorer.areSame(listed.transformation,
+                                             contender.pose.transformation);
+                     }))
+      alternatives_.push_back(contender.pose);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
 KSSICP<PointSource, PointTarget, Scalar>::judgeResult(const std::string& stopped)
 {
   if (!stopped.empty())
@@ -370,23 +370,10 @@ KSSICP<PointSource, PointTarget, Scalar>::judgeResult(const std::string& stopped
                                                   std::to_string(nr_iterations_) +
                                                   " iterations; allow more of them."};
   else if (getConfidence() < minimum_confidence_)
-    failure_ = {kss::FailureCause::NO_FIT,
-                "The clouds do not fit: at the best pose " +
-                    kss::percent(getOverlap().source) + " of the source and " +
-                    kss::percent(getOverlap().target) +
-                    " of the target lie on the other cloud, too little or too "
-                    "loosely; do they show the same object?"};
+    failure_ = {kss::FailureCause::NO_FIT, kss::misfitAt(getOverlap())};
   converged_ = failure_.cause == kss::FailureCause::NONE;
   if (!converged_)
     PCL_WARN("[pcl::%s] %s\n", getClassName().c_str(), failure_.reason.c_str());
-}
-
-template <typename PointSource, typename PointTarget, typename Scalar>
-void
-KSSICP<PointSource, PointTarget, Scalar>::report(const char* stage, double done) const
-{
-  if (settings_.progress)
-    settings_.progress(stage, done);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -405,7 +392,7 @@ KSSICP<PointSource, PointTarget, Scalar>::giveUp(const Matrix4& guess,
   correspondences_->clear();
   alternatives_.clear();
   far_points_ = {};
-  stage_seconds_.clear();
+  stages_.restart({});
   device_name_.clear();
 }
 

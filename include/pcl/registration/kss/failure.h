@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include <pcl/registration/kss/export.h>
+
 #include <stdexcept>
 #include <string>
 
@@ -28,7 +30,7 @@ struct Failure {
 };
 
 /** \brief A failure that is thrown. */
-class RegistrationError : public std::runtime_error {
+class PCL_KSS_ICP_EXPORT RegistrationError : public std::runtime_error {
 public:
   RegistrationError(FailureCause cause, const std::string& reason)
   : std::runtime_error(reason)
@@ -48,7 +50,7 @@ private:
 };
 
 /** \brief The exception that is being handled, as a failure. */
-Failure
+PCL_KSS_ICP_EXPORT Failure
 failureOfException();
 
 } // namespace kss

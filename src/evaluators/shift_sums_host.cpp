@@ -1,0 +1,134 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include <pcl/registration/kss/detail/grid_index.h>
+
+#include "evaluators/shift_sums.h"
+#include "support/parallel.h"
+#include "support/wide_vectors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace kss {
+namespace {
+
+constexpr int lanes = 16;
+constexpr int rows_at_once = 8;
+
+/** The distances of a row of nodes to their nearest points. */
+PCL_KSS_WIDE void
+nodeDistances(const Points& points, Eigen::Array3f first, float step, int n, float* row)
+{
+  constexpr int vector = ShiftLattice::vector;
+  for (int begin = 0; begin < n; begin += vector) {
+    float nearest[vector];
+    std::fill(nearest, nearest + vector, std::numeric_limits<float>::max());
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+      const float dx = first[0] - points(0, i);
+      const float dy = first[1] - points(1, i);
+      const float off_line = dx * dx + dy * dy;
+      const float z = first[2] + begin * step - points(2, i);
+      for (int lane = 0; lane < vector; ++lane) {
+        const float dz = z + lane * step;
+        const float squared = off_line + dz * dz;
+        nearest[lane] = squared < nearest[lane] ? squared : nearest[lane];
+      }
+    }
+    for (int lane = 0; lane < vector; ++lane)
+      row[begin + lane] = std::sqrt(nearest[lane]);
+  }
+}
+
+/** Eight rows of sums: of the fields under each point. */
+PCL_KSS_WIDE void
+sumRows(const std::uint8_t* field,
+        const std::uint32_t* first,
+        int points,
+        const std::uint32_t* rows,
+        std::uint16_t* sums)
+{
+  for (int row = 0; row < rows_at_once; ++row) {
+    std::uint16_t sum[lanes] = {};
+    for (int i = 0; i < points; ++i) {
+      const std::uint8_t* under = field + first[i] + rows[row];
+      for (int lane = 0; lane < lanes; ++lane)
+        sum[lane] += under[lane];
+    }
+    std::copy(sum, sum + lanes, sums + row * lanes);
+  }
+}
+
+class HostShiftSums : public ShiftSums {
+public:
+  explicit HostShiftSums(unsigned int threads)
+  : threads_(threads)
+  {
+  }
+
+  void
+  setField(const Points& cloud, const ShiftLattice& lattice) override
+  {
+    const Points points = lattice.turned(cloud);
+    const Eigen::Array3i& inner = lattice.inner();
+    std::vector<float> distances(numberOfCells(inner));
+    inParallel(inner[0] * inner[1], threads_, 32, [&](std::ptrdiff_t row) {
+      const Eigen::Array3f node(row / inner[1], row % inner[1], 0.0f);
+      nodeDistances(points, lattice.lower() + node * lattice.step(), lattice.step()[2],
+                    inner[2], distances.data() + row * inner[2]);
+    });
+    field_ = lattice.bytes(distances);
+    rows_ = lattice.rows();
+    last_ = lattice.last();
+    every_ = lattice.every();
+    size_ = lattice.size();
+    array_ = static_cast<std::uint32_t>(numberOfCells(size_));
+  }
+
+  std::vector<std::uint16_t>
+  sums(const Points& points, const std::vector<Placement>& placements) override
+  {
+    const std::size_t block = lanes * rows_.size();
+    std::vector<std::uint16_t> sums(block * placements.size());
+    inParallel(placements.size(), threads_, 16, [&](std::ptrdiff_t i) {
+      std::uint32_t first[most_points];
+      for (Eigen::Index p = 0; p < points.cols(); ++p)
+        first[p] = firstOf(placements[i] * points.col(p).homogeneous());
+      for (std::size_t row = 0; row < rows_.size(); row += rows_at_once)
+        sumRows(field_.data(), first, static_cast<int>(points.cols()),
+                rows_.data() + row, sums.data() + i * block + row * lanes);
+    });
+    return sums;
+  }
+
+private:
+  std::uint32_t
+  firstOf(const Eigen::Vector3f& node) const
+  {
+    const Eigen::Array3i at = toIndices(node, last_);
+    const Eigen::Array3i part = at / every_;
+    const Eigen::Array3i rest = at - part * every_;
+    return ((rest[0] * every_[1] + rest[1]) * every_[2] + rest[2]) * array_ +
+           (part[0] * size_[1] + part[1]) * size_[2] + part[2];
+  }
+
+  unsigned int threads_;
+  std::vector<std::uint8_t> field_;
+  std::vector<std::uint32_t> rows_;
+  Eigen::Array3i last_, every_, size_;
+  std::uint32_t array_ = 0; ///< nodes of an array
+};
+
+} // namespace
+
+std::unique_ptr<ShiftSums>
+makeHostShiftSums(unsigned int threads)
+{
+  return std::make_unique<HostShiftSums>(threads);
+}
+
+} // namespace kss
+} // namespace pcl

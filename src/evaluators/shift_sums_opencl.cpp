@@ -1,0 +1,136 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "evaluators/shift_sums.h"
+#include "opencl/program.h"
+#include "opencl/several_devices.h"
+
+namespace pcl {
+namespace kss {
+namespace {
+
+cl_int4
+toInt4(const Eigen::Array3i& v)
+{
+  return {{v[0], v[1], v[2], 0}};
+}
+
+/** The sums of one device. */
+class DeviceShiftSums {
+public:
+  explicit DeviceShiftSums(std::shared_ptr<OpenCLProgram> program)
+  : program_(std::move(program))
+  {
+  }
+
+  void
+  setField(const Points& cloud, const ShiftLattice& lattice)
+  {
+    // the kernel's nodes vary fastest along x, the lattice's along z
+    const Eigen::Matrix4Xf points =
+        lattice.turned(cloud).colwise().reverse().colwise().homogeneous();
+    const Eigen::Array3f& lower = lattice.lower();
+    const Eigen::Array3f& step = lattice.step();
+    const Eigen::Array3i& inner = lattice.inner();
+    std::vector<float> distances(inner.cast<std::size_t>().prod());
+    const cl::Buffer cloud_points = program_->upload(points.data(), points.size());
+    const cl::Buffer nodes = program_->allocate<float>(distances.size());
+    fields_.run(program_->limits(), static_cast<std::size_t>(inner[0]) * inner[1],
+                sizeof(float) * inner[2], static_cast<double>(points.cols()) * inner[2],
+                [&](std::size_t begin, std::size_t end) {
+                  program_->run("node_distances", end - begin,
+                                static_cast<cl_uint>(begin), cloud_points,
+                                static_cast<cl_uint>(points.cols()),
+                                cl_float4{{lower[2], lower[1], lower[0], 0.0f}},
+                                cl_float4{{step[2], step[1], step[0], 0.0f}},
+                                cl_int4{{inner[2], inner[1], inner[0], 0}}, nodes);
+                });
+    program_->download(nodes, distances.data(), distances.size());
+    const auto bytes = lattice.bytes(distances);
+    field_ = program_->upload(bytes.data(), bytes.size());
+    rows_ = program_->upload(lattice.rows().data(), lattice.rows().size());
+    number_of_rows_ = static_cast<cl_uint>(lattice.rows().size());
+    last_ = toInt4(lattice.last());
+    every_ = toInt4(lattice.every());
+    size_ = toInt4(lattice.size());
+  }
+
+  /** The sums of some placements, written to where there is room for them. */
+  void
+  sum(const Points& points,
+      const Placement* placements,
+      std::size_t size,
+      std::uint16_t* sums)
+  {
+    const Eigen::Matrix4Xf homogeneous = points.colwise().homogeneous();
+    const cl::Buffer probes = program_->upload(homogeneous.data(), homogeneous.size());
+    const std::size_t sums_of_placement = 16 * std::size_t(number_of_rows_);
+    const std::size_t bytes =
+        sizeof(Placement) + sizeof(std::uint16_t) * sums_of_placement;
+    const double operations = static_cast<double>(points.cols()) * number_of_rows_;
+    sums_.run(program_->limits(), size, bytes, operations,
+              [&](std::size_t begin, std::size_t end) {
+                const std::size_t number = end - begin;
+                const cl::Buffer result =
+                    program_->allocate<std::uint16_t>(sums_of_placement * number);
+                program_->run("shift_sums", number, probes,
+                              static_cast<cl_uint>(points.cols()),
+                              program_->upload(placements[begin].data(),
+                                               number * Placement::SizeAtCompileTime),
+                              static_cast<cl_uint>(number), field_, last_, every_,
+                              size_, rows_, number_of_rows_, result);
+                program_->download(result, sums + sums_of_placement * begin,
+                                   sums_of_placement * number);
+              });
+  }
+
+private:
+  std::shared_ptr<OpenCLProgram> program_;
+  Dispatches fields_, sums_;
+  cl::Buffer field_, rows_;
+  cl_uint number_of_rows_ = 0;
+  cl_int4 last_, every_, size_;
+};
+
+class OpenCLShiftSums : public ShiftSums {
+public:
+  OpenCLShiftSums(const std::string& device, unsigned int threads)
+  : devices_(device, threads)
+  {
+  }
+
+  void
+  setField(const Points& cloud, const ShiftLattice& lattice) override
+  {
+    devices_.forEach([&](DeviceShiftSums& device) { device.setField(cloud, lattice); });
+    sums_of_placement_ = 16 * lattice.rows().size();
+  }
+
+  std::vector<std::uint16_t>
+  sums(const Points& points, const std::vector<Placement>& placements) override
+  {
+    std::vector<std::uint16_t> sums(sums_of_placement_ * placements.size());
+    devices_.share(placements.size(),
+                   [&](DeviceShiftSums& device, std::size_t begin, std::size_t end) {
+                     device.sum(points, placements.data() + begin, end - begin,
+                                sums.data() + begin * sums_of_placement_);
+                   });
+    return sums;
+  }
+
+private:
+  SeveralDevices<DeviceShiftSums> devices_;
+  std::size_t sums_of_placement_ = 0;
+};
+
+} // namespace
+
+std::unique_ptr<ShiftSums>
+makeOpenCLShiftSums(const std::string& device, unsigned int threads)
+{
+  return std::make_unique<OpenCLShiftSums>(device, threads);
+}
+
+} // namespace kss
+} // namespace pcl

@@ -1,0 +1,50 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "geometry/nearest_points.h"
+
+#include "geometry/clouds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace kss {
+namespace {
+
+/** Cells a few spacings wide: small enough for a short way to the nearest point, few
+ * enough to be set up quickly. */
+float
+cellFor(const Points& points)
+{
+  const float extent = longestEdge(points);
+  return extent > 0.0f ? extent / 48.0f * coarseness(points) : 1.0f;
+}
+
+} // namespace
+
+NearestPoints::NearestPoints(const Points& points, unsigned int threads)
+: NearestPoints(Surface{points, neighbourhoodsOf(points, neighbours, threads)})
+{
+}
+
+NearestPoints::NearestPoints(const Surface& surface)
+: points_(surface.points)
+, around_(points_.cols())
+, spacing_(spacingOf(surface.neighbourhoods))
+, field_(points_, cellFor(points_), 2.0f * cellFor(points_))
+{
+  const Eigen::MatrixXi& indices = surface.neighbourhoods.indices;
+  for (Eigen::Index i = 0; i < points_.cols(); ++i)
+    for (int n = 0; n < neighbours; ++n) {
+      const int other = n < indices.rows() ? indices(n, i) : static_cast<int>(i);
+      around_[i].x[n] = points_(0, other);
+      around_[i].y[n] = points_(1, other);
+      around_[i].z[n] = points_(2, other);
+      around_[i].indices[n] = other;
+    }
+}
+
+} // namespace kss
+} // namespace pcl

@@ -1,0 +1,126 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include <pcl/registration/kss/detail/points.h>
+
+#include "geometry/distance_field.h"
+#include "geometry/neighbourhoods.h"
+
+#include <limits>
+#include <vector>
+
+namespace pcl {
+namespace kss {
+
+/** \brief Finds nearest points in a few dozen nanoseconds: a distance field gives a
+ * point near the position, and from there neighbours lead closer as long as they can.
+ *
+ * Near the points the answer is the nearest point or, rarely, one hardly farther away.
+ * From afar, where nothing depends on it, it can be a fifth farther.
+ */
+class NearestPoints {
+public:
+  /** \param[in] points at least one
+   * \param[in] threads for the preparation; 0: as many as there are cores
+   */
+  NearestPoints(const Points& points, unsigned int threads);
+
+  /** \param[in] surface points, at least one, that know their neighbours */
+  explicit NearestPoints(const Surface& surface);
+
+  /** \brief A point near a position: the one nearest to the centre of its cell.
+   * \param[in] position anywhere
+   * \param[out] squared_distance of the two
+   * \return its index
+   */
+  int
+  near(const Eigen::Vector3f& position, float& squared_distance) const
+  {
+    const int point = field_.nearest(field_.cellOf(position));
+    squared_distance = (points_.col(point) - position).squaredNorm();
+    return point;
+  }
+
+  /** \brief The point nearest to a position.
+   * \param[in] position anywhere
+   * \param[out] squared_distance of the two
+   * \return its index
+   */
+  int
+  nearest(const Eigen::Vector3f& position, float& squared_distance) const
+  {
+    float second;
+    return nearest(position, squared_distance, second);
+  }
+
+  /** \brief The point nearest to a position, and how near the second nearest is.
+   * \param[in] position anywhere
+   * \param[out] squared_distance of the two
+   * \param[out] second_squared_distance the next larger one; infinite where there is no
+   * other point
+   * \return its index
+   */
+  int
+  nearest(const Eigen::Vector3f& position,
+          float& squared_distance,
+          float& second_squared_distance) const
+  {
+    int best = near(position, squared_distance);
+    second_squared_distance = std::numeric_limits<float>::infinity();
+    for (int from = -1; from != best;) {
+      from = best;
+      const Around& around = around_[from];
+      float squared[neighbours];
+      for (int n = 0; n < neighbours; ++n) {
+        const float x = around.x[n] - position.x();
+        const float y = around.y[n] - position.y();
+        const float z = around.z[n] - position.z();
+        squared[n] = x * x + y * y + z * z;
+      }
+      for (int n = 0; n < neighbours; ++n)
+        if (squared[n] < squared_distance) {
+          second_squared_distance = squared_distance;
+          squared_distance = squared[n];
+          best = around.indices[n];
+        }
+        else if (squared[n] < second_squared_distance && around.indices[n] != best)
+          second_squared_distance = squared[n];
+    }
+    return best;
+  }
+
+  /** \brief The points. */
+  const Points&
+  points() const
+  {
+    return points_;
+  }
+
+  /** \brief The spacing of the points around each of them; see spacingOf(). */
+  const Eigen::VectorXf&
+  spacing() const
+  {
+    return spacing_;
+  }
+
+private:
+  /** Enough for nearly every direction to have a neighbour in it, and whole vectors. */
+  static constexpr int neighbours = 12;
+
+  /** The neighbours of a point, coordinates apart; where there are fewer, copies. */
+  struct Around {
+    float x[neighbours], y[neighbours], z[neighbours];
+    int indices[neighbours];
+  };
+
+  Points points_;
+  std::vector<Around> around_;
+  Eigen::VectorXf spacing_;
+  DistanceField field_;
+};
+
+} // namespace kss
+} // namespace pcl

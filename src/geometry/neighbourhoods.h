@@ -1,0 +1,68 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include <pcl/registration/kss/detail/points.h>
+
+#include <optional>
+#include <vector>
+
+namespace pcl {
+namespace kss {
+
+/** \brief The nearest neighbours of every point of a cloud, the point itself left out.
+ */
+struct Neighbourhoods {
+  /** \brief Neighbours x points: indices of points, nearest first. */
+  Eigen::MatrixXi indices;
+  /** \brief Neighbours x points: their distances. */
+  Eigen::MatrixXf distances;
+};
+
+/** \brief Points that know their neighbours. */
+struct Surface {
+  Points points;
+  Neighbourhoods neighbourhoods;
+};
+
+/** \brief Find the neighbourhoods of a cloud.
+ * \param[in] points the cloud
+ * \param[in] neighbours how many of each point; fewer where the cloud has no more
+ * \param[in] threads 0: as many as there are cores
+ */
+Neighbourhoods
+neighbourhoodsOf(const Points& points, int neighbours, unsigned int threads);
+
+/** \brief The neighbourhoods of some of the points, as far as they are known.
+ * \param[in] neighbourhoods of a cloud
+ * \param[in] kept indices of points, rising
+ * \param[in] neighbours how many of each point to keep
+ * \return none where a point keeps fewer of its neighbours
+ */
+std::optional<Neighbourhoods>
+restrictedTo(const Neighbourhoods& neighbourhoods,
+             const std::vector<int>& kept,
+             int neighbours);
+
+/** \brief The surface variation of every neighbourhood (M. Pauly, M. Gross, L. P.
+ * Kobbelt, "Efficient Simplification of Point-Sampled Surfaces", 2002): the smallest
+ * eigenvalue of its covariance as a fraction of their sum.
+ *
+ * It is 0 in a plane and 1/3 where points fill space evenly; of a dozen random points
+ * in space half the latter. PCL calls it curvature.
+ */
+Eigen::VectorXf
+surfaceVariation(const Points& points,
+                 const Neighbourhoods& neighbourhoods,
+                 unsigned int threads);
+
+/** \brief The spacing of the points around each point: the edge of the square that
+ * a point has for itself if they lie on a surface.
+ */
+Eigen::VectorXf
+spacingOf(const Neighbourhoods& neighbourhoods);
+
+} // namespace kss
+} // namespace pcl

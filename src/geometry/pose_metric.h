@@ -1,0 +1,94 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include <pcl/registration/kss/detail/points.h>
+
+#include <Eigen/Cholesky>
+
+#include <cmath>
+#include <vector>
+
+namespace pcl {
+namespace kss {
+
+/** \brief Poses that place the source less far apart, root mean square, in root mean
+ * square radii of the target, are the same for the choice among minima; so are
+ * rotations that differ by less, in radians. */
+constexpr double same_pose = M_PI / 18.0;
+
+/** \brief How far apart two poses place a cloud. */
+class PoseMetric {
+public:
+  /** \brief A pose, such that the Euclidean distance is the root mean square distance
+   * of the placed points. */
+  using Place = Eigen::Matrix<float, 12, 1>;
+
+  /** \param[in] cloud what the poses place; centred */
+  explicit PoseMetric(const Points& cloud)
+  {
+    const Eigen::Matrix3f scatter = cloud * cloud.transpose() / cloud.cols();
+    // a little more than nothing, so that the factor of a plane's exists
+    const Eigen::Matrix3f some = 1e-6f * scatter.trace() * Eigen::Matrix3f::Identity();
+    spread_ = (scatter + some).llt().matrixL();
+  }
+
+  Place
+  placeOf(const Eigen::Matrix4d& pose) const
+  {
+    Eigen::Matrix<float, 3, 4> place = pose.topRows<3>().cast<float>();
+    place.leftCols<3>() *= spread_;
+    return Eigen::Map<const Place>(place.data());
+  }
+
+  double
+  distance(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const
+  {
+    return (placeOf(a) - placeOf(b)).norm();
+  }
+
+private:
+  Eigen::Matrix3f spread_;
+};
+
+/** \brief Takes poses one by one and tells those that are new. */
+class DistinctPoses {
+public:
+  /** \param[in] metric kept by reference
+   * \param[in] distance poses closer than this are the same
+   */
+  DistinctPoses(const PoseMetric& metric, double distance)
+  : metric_(metric)
+  , squared_(static_cast<float>(distance * distance))
+  {
+  }
+
+  /** \brief Whether none of the poses taken before is the same; if so, it is taken. */
+  bool
+  take(const Eigen::Matrix4d& pose)
+  {
+    const PoseMetric::Place place = metric_.placeOf(pose);
+    for (const PoseMetric::Place& other : places_)
+      if ((place - other).squaredNorm() < squared_)
+        return false;
+    places_.push_back(place);
+    return true;
+  }
+
+  /** \brief How many have been taken. */
+  std::size_t
+  size() const
+  {
+    return places_.size();
+  }
+
+private:
+  const PoseMetric& metric_;
+  float squared_;
+  std::vector<PoseMetric::Place> places_;
+};
+
+} // namespace kss
+} // namespace pcl

@@ -1,0 +1,204 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "preparation/cleaning.h"
+
+#include "geometry/cell_grid.h"
+#include "geometry/median.h"
+#include "geometry/neighbourhoods.h"
+#include "geometry/take.h"
+#include "preparation/simplification.h"
+#include "support/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace pcl {
+namespace kss {
+namespace {
+
+/** Neighbours that tell how sparse a place is, and how flat. */
+constexpr int sparse_neighbours = 12;
+constexpr int flat_neighbours = 16;
+
+/** Space around a point against that around its neighbours: random points of even
+ * density stay below 1.4, those in the open beside a surface reach twice this. */
+constexpr float isolated = 1.6f;
+
+/** Space around a point against the median of the cloud from which on it is sparse. */
+constexpr float sparse = 2.5f;
+
+/** Surface variation, mean of a neighbourhood: random points in space have 0.16,
+ * surfaces rarely more than 0.05. */
+constexpr float fills_space = 0.09f;
+
+/** Surface variation, median, from which on the noise is heavy: thin and winding
+ * surfaces reach 0.1. */
+constexpr float heavy = 0.125f;
+
+/** Clouds smaller than this are left alone: they cannot spare a point. */
+constexpr Eigen::Index small = 100;
+
+std::vector<int>
+notStray(const Points& cloud, const Neighbourhoods& found, unsigned int threads)
+{
+  const Eigen::VectorXf variation = surfaceVariation(cloud, found, threads);
+  const Eigen::VectorXf room = found.distances.row(sparse_neighbours - 1);
+  const float usual = median(room);
+
+  std::vector<int> kept;
+  std::vector<float> rooms(flat_neighbours);
+  for (int i = 0; i < cloud.cols(); ++i) {
+    float flatness = variation[i];
+    for (int n = 0; n < flat_neighbours; ++n) {
+      rooms[n] = room[found.indices(n, i)];
+      flatness += variation[found.indices(n, i)];
+    }
+    flatness /= 1 + flat_neighbours;
+    const float around = median(rooms);
+    const bool is_isolated = around > 0.0f && room[i] > isolated * around;
+    if (!is_isolated && (room[i] <= sparse * usual || flatness < fills_space))
+      kept.push_back(i);
+  }
+  return kept;
+}
+
+/** The mean of the points within a radius of each position. */
+Points
+meansAround(const Points& positions,
+            const Points& cloud,
+            float radius,
+            unsigned int threads)
+{
+  const CellGrid grid(cloud, radius);
+  Points means(3, positions.cols());
+  inParallel(positions.cols(), threads, 64, [&](Eigen::Index i) {
+    const Eigen::Vector3f position = positions.col(i);
+    const Cell cell = grid.cells().of(position);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    int inside = 0;
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = -1; z <= 1; ++z) {
+          const int other = grid.find(cell + Cell(x, y, z));
+          if (other >= 0)
+            for (int p = grid.begin(other); p < grid.begin(other + 1); ++p) {
+              const Eigen::Vector3f point = cloud.col(grid.order()[p]);
+              if ((point - position).squaredNorm() <= radius * radius) {
+                sum += point.cast<double>();
+                ++inside;
+              }
+            }
+        }
+    means.col(i) = (sum / inside).cast<float>();
+  });
+  return means;
+}
+
+/** The median of the surface variation. */
+float
+usualVariation(const Points& cloud, unsigned int threads)
+{
+  return median(surfaceVariation(
+      cloud, neighbourhoodsOf(cloud, flat_neighbours, threads), threads));
+}
+
+float
+rootMeanSquareRadius(const Points& cloud)
+{
+  const Eigen::Vector3f center = cloud.rowwise().mean();
+  return std::sqrt((cloud.colwise() - center).squaredNorm() / cloud.cols());
+}
+
+/** Every fourth point: their neighbourhoods are twice as wide. */
+Points
+quarterOf(const Points& cloud)
+{
+  Points quarter(3, cloud.cols() / 4);
+  for (Eigen::Index i = 0; i < quarter.cols(); ++i)
+    quarter.col(i) = cloud.col(4 * i);
+  return quarter;
+}
+
+} // namespace
+
+Points
+withoutCopies(const Points& cloud)
+{
+  std::vector<int> order(cloud.cols());
+  std::iota(order.begin(), order.end(), 0);
+  const auto before = [&](int a, int b) {
+    return std::make_tuple(cloud(0, a), cloud(1, a), cloud(2, a), a) <
+           std::make_tuple(cloud(0, b), cloud(1, b), cloud(2, b), b);
+  };
+  std::sort(order.begin(), order.end(), before);
+  const auto copied = [&](int a, int b) { return cloud.col(a) == cloud.col(b); };
+  order.erase(std::unique(order.begin(), order.end(), copied), order.end());
+  std::sort(order.begin(), order.end());
+  return take(cloud, order);
+}
+
+Surface
+withoutStrayPoints(const Points& cloud, unsigned int threads)
+{
+  // A second look finds those that the first one hid.
+  Surface rest{cloud, neighbourhoodsOf(cloud, flat_neighbours, threads)};
+  if (cloud.cols() < small)
+    return rest;
+  for (int look = 0; look < 2; ++look) {
+    const auto kept = notStray(rest.points, rest.neighbourhoods, threads);
+    const bool few = kept.size() > 0.998 * rest.points.cols();
+    if (kept.size() <= std::max<double>(small, 0.3 * cloud.cols()))
+      return {cloud, neighbourhoodsOf(cloud, flat_neighbours, threads)};
+    auto known =
+        few ? restrictedTo(rest.neighbourhoods, kept, known_neighbours) : std::nullopt;
+    rest.points = take(rest.points, kept);
+    rest.neighbourhoods = known
+                              ? std::move(*known)
+                              : neighbourhoodsOf(rest.points, flat_neighbours, threads);
+    if (few)
+      break;
+  }
+  return rest;
+}
+
+bool
+isNoisy(const Points& cloud, unsigned int threads)
+{
+  return cloud.cols() >= 4 * small && usualVariation(quarterOf(cloud), threads) > heavy;
+}
+
+void
+averageNoise(Points& source, Points& target, unsigned int samples, unsigned int threads)
+{
+  struct Averaging {
+    Averaging(const Points& noisy, unsigned int samples, unsigned int threads)
+    : cloud(noisy)
+    , at(simplify(noisy, samples, Density::UNIFORM, threads))
+    , size(rootMeanSquareRadius(noisy))
+    {
+    }
+    const Points& cloud;
+    Points at;
+    float size;
+  };
+  const Averaging a(source, samples, threads), b(target, samples, threads);
+  Points means_a, means_b;
+  for (float radius = 0.1f; radius < 0.26f; radius *= 1.25f) {
+    means_a = meansAround(a.at, a.cloud, radius * a.size, threads);
+    means_b = meansAround(b.at, b.cloud, radius * b.size, threads);
+    if (std::max(usualVariation(means_a, threads), usualVariation(means_b, threads)) <
+        fills_space)
+      break;
+  }
+  source = means_a;
+  target = means_b;
+}
+
+} // namespace kss
+} // namespace pcl

@@ -1,0 +1,38 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include <pcl/registration/kss/result.h>
+
+#include "geometry/nearest_points.h"
+
+#include <Eigen/Geometry>
+
+#include <limits>
+
+namespace pcl {
+namespace kss {
+
+/** \brief How near a surface a point counts as covered by it, in spacings: of random
+ * points on a surface, one in a thousand has no point of another such sampling within
+ * this distance. */
+constexpr float covered = 1.5f;
+
+/** \brief Measure the overlap at a pose.
+ *
+ * The tolerance is the spacing of the points, the wider one of the two clouds: a
+ * surface covers another sampling of itself that closely, and hardly anything else.
+ * \param[in] source points of the source, and their spacing
+ * \param[in] target points of the target, and their spacing
+ * \param[in] pose a similarity from source to target
+ */
+Overlap
+overlapAt(const NearestPoints& source,
+          const NearestPoints& target,
+          const Eigen::Matrix4d& pose,
+          Eigen::Index most = std::numeric_limits<Eigen::Index>::max());
+
+} // namespace kss
+} // namespace pcl

@@ -1,0 +1,270 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "refinement/refinement.h"
+
+#include <pcl/registration/kss/detail/similarity.h>
+
+#include "geometry/pre_shape.h"
+#include "support/wide_vectors.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace pcl {
+namespace kss {
+namespace {
+
+/** Correspondences, coordinates apart, filled up to whole vectors. */
+struct Pairs {
+  using Rows = Eigen::Matrix<float, 3, Eigen::Dynamic, Eigen::RowMajor>;
+
+  Rows source, target;
+  Eigen::RowVectorXf squared; // distances; infinite: there is no pair
+};
+
+constexpr Eigen::Index lanes = 8;
+
+/** Sums of a pair that a similarity follows from. */
+enum Sum {
+  WEIGHT,
+  SOURCE,               // x, y, z
+  TARGET = SOURCE + 3,  // x, y, z
+  PRODUCT = TARGET + 3, // target times source, row by row
+  SOURCE_SQUARED = PRODUCT + 9,
+  TARGET_SQUARED,
+  SUMS
+};
+
+/** Add up pairs, each with the weight of Geman and McClure. */
+PCL_KSS_WIDE void
+addUp(const float* const source[3],
+      const float* const target[3],
+      const float* squared,
+      Eigen::Index n,
+      float squared_reach,
+      double* sums)
+{
+  float sum[SUMS][lanes] = {};
+  for (Eigen::Index i = 0; i < n; i += lanes)
+    for (Eigen::Index l = 0; l < lanes; ++l) {
+      const float share = squared_reach / (squared_reach + squared[i + l]);
+      const float w = share * share;
+      const float sx = source[0][i + l], sy = source[1][i + l], sz = source[2][i + l];
+      const float tx = target[0][i + l], ty = target[1][i + l], tz = target[2][i + l];
+      const float wx = w * tx, wy = w * ty, wz = w * tz;
+      sum[WEIGHT][l] += w;
+      sum[SOURCE][l] += w * sx;
+      sum[SOURCE + 1][l] += w * sy;
+      sum[SOURCE + 2][l] += w * sz;
+      sum[TARGET][l] += wx;
+      sum[TARGET + 1][l] += wy;
+      sum[TARGET + 2][l] += wz;
+      sum[PRODUCT][l] += wx * sx;
+      sum[PRODUCT + 1][l] += wx * sy;
+      sum[PRODUCT + 2][l] += wx * sz;
+      sum[PRODUCT + 3][l] += wy * sx;
+      sum[PRODUCT + 4][l] += wy * sy;
+      sum[PRODUCT + 5][l] += wy * sz;
+      sum[PRODUCT + 6][l] += wz * sx;
+      sum[PRODUCT + 7][l] += wz * sy;
+      sum[PRODUCT + 8][l] += wz * sz;
+      sum[SOURCE_SQUARED][l] += w * (sx * sx + sy * sy + sz * sz);
+      sum[TARGET_SQUARED][l] += w * (tx * tx + ty * ty + tz * tz);
+    }
+  for (int s = 0; s < SUMS; ++s)
+    for (Eigen::Index l = 0; l < lanes; ++l)
+      sums[s] += sum[s][l];
+}
+
+/** The similarity between weighted correspondences. */
+class Procrustes {
+public:
+  void
+  add(const Pairs& pairs, double reach)
+  {
+    const Eigen::Index n = pairs.squared.size();
+    const float* const source[] = {pairs.source.data(), pairs.source.data() + n,
+                                   pairs.source.data() + 2 * n};
+    const float* const target[] = {pairs.target.data(), pairs.target.data() + n,
+                                   pairs.target.data() + 2 * n};
+    addUp(source, target, pairs.squared.data(), n, static_cast<float>(reach * reach),
+          sums_);
+  }
+
+  /** As much larger as the target points are spread wider: Horn's symmetric scale. */
+  double
+  symmetricScale() const
+  {
+    return std::sqrt((sums_[TARGET_SQUARED] - target().squaredNorm() / sums_[WEIGHT]) /
+                     (sums_[SOURCE_SQUARED] - source().squaredNorm() / sums_[WEIGHT]));
+  }
+
+  /** The similarity of this scale that brings the source points closest to their
+   * counterparts: (e7) and (e8), with a determinant that cannot become a mirror's. */
+  Eigen::Matrix4d
+  similarity(double scale) const
+  {
+    using Product = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    const Eigen::Matrix3d covariance = Eigen::Map<const Product>(sums_ + PRODUCT) -
+                                       target() * source().transpose() / sums_[WEIGHT];
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU |
+                                                                Eigen::ComputeFullV);
+    const Eigen::Matrix3d& u = svd.matrixU();
+    const Eigen::Matrix3d& v = svd.matrixV();
+    const Eigen::Vector3d signs(1.0, 1.0,
+                                (u * v.transpose()).determinant() < 0 ? -1 : 1);
+    const Eigen::Matrix3d linear = scale * u * signs.asDiagonal() * v.transpose();
+    Eigen::Matrix4d similarity = Eigen::Matrix4d::Identity();
+    similarity.topLeftCorner<3, 3>() = linear;
+    similarity.topRightCorner<3, 1>() = (target() - linear * source()) / sums_[WEIGHT];
+    return similarity;
+  }
+
+private:
+  Eigen::Vector3d
+  source() const
+  {
+    return Eigen::Map<const Eigen::Vector3d>(sums_ + SOURCE);
+  }
+
+  Eigen::Vector3d
+  target() const
+  {
+    return Eigen::Map<const Eigen::Vector3d>(sums_ + TARGET);
+  }
+
+  double sums_[SUMS] = {};
+};
+
+/** Finds the counterparts of a cloud's probes in the other cloud, from pose to pose. */
+class Counterparts {
+public:
+  /** \param[out] own the probes' side of the pairs
+   * \param[out] other the counterparts' side of them */
+  Counterparts(const Points& probes,
+               const NearestPoints& others,
+               const Refinement::Effort& effort,
+               Pairs& pairs,
+               Pairs::Rows& own,
+               Pairs::Rows& other)
+  : others_(others)
+  , exact_(effort.exact)
+  , found_(std::min(effort.points, probes.cols()))
+  , pairs_(pairs)
+  , own_(own)
+  , other_(other)
+  {
+    const auto size = static_cast<Eigen::Index>(found_.size());
+    const Eigen::Index filled = (size + lanes - 1) / lanes * lanes;
+    own.setZero(3, filled);
+    own.leftCols(size) = probes.leftCols(size);
+    other.setZero(3, filled);
+    pairs.squared.setConstant(filled, std::numeric_limits<float>::infinity());
+  }
+
+  /** Find them where the probes have been placed; their distances, scaled. */
+  void
+  find(const Eigen::Affine3f& placement, float scale)
+  {
+    const Points& points = others_.points();
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+      const Eigen::Vector3f placed = placement * own_.col(i);
+      float squared;
+      const int other =
+          exact_ ? nearest(found_[i], placed, squared) : others_.near(placed, squared);
+      other_.col(i) = points.col(other);
+      pairs_.squared[i] = scale * scale * squared;
+    }
+  }
+
+private:
+  /** The point nearest to a place, and how far from it that stays so. */
+  struct Found {
+    int point = -1;
+    Eigen::Vector3f place;
+    float squared_slack;
+  };
+
+  int
+  nearest(Found& found, const Eigen::Vector3f& placed, float& squared) const
+  {
+    if (found.point >= 0 &&
+        (placed - found.place).squaredNorm() < found.squared_slack) {
+      squared = (others_.points().col(found.point) - placed).squaredNorm();
+      return found.point;
+    }
+    float second;
+    found.point = others_.nearest(placed, squared, second);
+    found.place = placed;
+    const float slack = 0.5f * (std::sqrt(second) - std::sqrt(squared));
+    found.squared_slack = slack * slack;
+    return found.point;
+  }
+
+  const NearestPoints& others_;
+  bool exact_;
+  std::vector<Found> found_;
+  Pairs& pairs_;
+  Pairs::Rows &own_, &other_;
+};
+
+} // namespace
+
+Refinement::Refinement(const Points& source_probes,
+                       const Points& target_probes,
+                       const NearestPoints& source,
+                       const NearestPoints& target,
+                       const ScaleRange& scales)
+: source_probes_(source_probes)
+, target_probes_(target_probes)
+, source_(source)
+, target_(target)
+, scales_(scales)
+{
+}
+
+Eigen::Matrix4d
+Refinement::refine(const Eigen::Matrix4d& initial, const Effort& effort) const
+{
+  Eigen::Matrix4d pose = initial;
+  const int falling = std::max(1, effort.iterations / 2);
+  Pairs from_source, from_target;
+  Counterparts forth(source_probes_, target_, effort, from_source, from_source.source,
+                     from_source.target);
+  Counterparts back(target_probes_, source_, effort, from_target, from_target.target,
+                    from_target.source);
+  for (int iteration = 0; iteration < effort.iterations; ++iteration) {
+    const double fallen = std::min(1.0, static_cast<double>(iteration) / falling);
+    const double reach =
+        effort.widest * std::pow(effort.narrowest / effort.widest, fallen);
+    const Eigen::Affine3f placement(pose.cast<float>());
+    const double scale = scaleOf(pose);
+    forth.find(placement, 1.0f);
+    back.find(placement.inverse(), static_cast<float>(scale));
+    Procrustes pairs;
+    pairs.add(from_source, reach);
+    pairs.add(from_target, reach);
+    const double estimate = scales_.smallest < scales_.largest
+                                ? scales_.clamp(pairs.symmetricScale())
+                                : scale;
+    const Eigen::Matrix4d next = pairs.similarity(estimate);
+    if (!isSimilarity(next))
+      break;
+    const bool settled =
+        iteration > falling && (next - pose).cwiseAbs().maxCoeff() < 1e-5;
+    pose = next;
+    if (settled)
+      break;
+  }
+  return pose;
+}
+
+} // namespace kss
+} // namespace pcl

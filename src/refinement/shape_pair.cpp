@@ -1,0 +1,99 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "refinement/shape_pair.h"
+
+#include <pcl/registration/kss/detail/naming.h>
+
+#include "geometry/clouds.h"
+#include "geometry/median.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace kss {
+namespace {
+
+/** How far the size of a part can be from that of the whole. */
+constexpr double smallest_part = 0.35;
+
+PreShape
+simplifiedShape(const char* name, const Points& points, const PreparedCloud& cloud)
+{
+  return naming(name, [&] { return toPreShape({points, cloud.input.origin}); });
+}
+
+CloudSize
+sizeOf(const PreparedCloud& cloud, const PreShape& simplified)
+{
+  return {longestEdge(cloud.surface.points), simplified.size,
+          median(spacingOf(cloud.surface.neighbourhoods))};
+}
+
+/** The whole cloud in the frame of its simplified points. */
+std::shared_ptr<const NearestPoints>
+allOf(const PreparedCloud& cloud, const PreShape& simplified, const Shape* before)
+{
+  const Eigen::Vector3f center =
+      (simplified.center - cloud.input.origin).cast<float>();
+  const auto size = static_cast<float>(simplified.size);
+  const Neighbourhoods& neighbourhoods = cloud.surface.neighbourhoods;
+  const Surface surface{(cloud.surface.points.colwise() - center) / size,
+                        {neighbourhoods.indices, neighbourhoods.distances / size}};
+  if (before && areEqual(before->all->points(), surface.points))
+    return before->all;
+  return std::make_shared<NearestPoints>(surface);
+}
+
+ScaleRange
+scalesBetween(const PreShape& source, const PreShape& target, const Settings& settings)
+{
+  if (!settings.estimate_scale)
+    return {1.0, 1.0};
+  const double unit = source.size / target.size;
+  const ScaleRange asked{settings.smallest_scale * unit, settings.largest_scale * unit};
+  const ScaleRange range{std::max(smallest_part, asked.smallest),
+                         std::min(1.0 / smallest_part, asked.largest)};
+  return range.smallest <= range.largest ? range : asked;
+}
+
+} // namespace
+
+std::shared_ptr<const ShapePair>
+shapePair(const PreparedPair& clouds,
+          const std::optional<double>& guessed_scale,
+          const Settings& settings,
+          const ShapePair* before)
+{
+  const auto [few_source, few_target] =
+      simplified(*clouds.source, *clouds.target, settings);
+  PreShape source = simplifiedShape("source", few_source, *clouds.source);
+  const PreShape target = simplifiedShape("target", few_target, *clouds.target);
+  const CloudSize source_size = sizeOf(*clouds.source, source);
+  const CloudSize target_size = sizeOf(*clouds.target, target);
+  const double known_scale = guessed_scale.value_or(1.0);
+  throwIfUndetermined(
+      source_size, target_size,
+      settings.estimate_scale
+          ? ScaleRange{settings.smallest_scale, settings.largest_scale}.clamp(
+                target.size / source.size)
+          : known_scale);
+  if (guessed_scale)
+    throwIfUndetermined(source_size, target_size, *guessed_scale);
+  if (!settings.estimate_scale)
+    source = withSize(source, target.size / known_scale);
+  const auto allOfSource =
+      allOf(*clouds.source, source, before ? &before->source : nullptr);
+  const auto allOfTarget =
+      allOf(*clouds.target, target, before ? &before->target : nullptr);
+  return std::make_shared<ShapePair>(
+      ShapePair{{source, allOfSource, source_size},
+                {target, allOfTarget, target_size},
+                PoseMetric(source.points),
+                scalesBetween(source, target, settings),
+                clouds.is_noisy});
+}
+
+} // namespace kss
+} // namespace pcl

@@ -1,0 +1,39 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "local_frame.h"
+
+#include <pcl/registration/kss/detail/bulk.h>
+#include <pcl/registration/kss/detail/cloud_conversion.h>
+
+namespace tool {
+
+Eigen::Vector3d
+localOrigin(const Points& points)
+{
+  pcl::Indices finite;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].allFinite())
+      finite.push_back(static_cast<pcl::index_t>(i));
+  std::vector<Eigen::Vector3d> some;
+  for (const pcl::index_t i : pcl::kss::spread(finite, pcl::kss::bulk_points))
+    some.push_back(points[i]);
+  // the middle of the box is wherever a point far away from all others puts it
+  const pcl::kss::Bulk bulk = pcl::kss::bulkOf(some);
+  pcl::kss::throwIfTooWide(bulk);
+  return bulk.middle;
+}
+
+Eigen::Matrix4d
+fromLocalFrames(const Eigen::Matrix4d& local,
+                const Eigen::Vector3d& source_origin,
+                const Eigen::Vector3d& target_origin)
+{
+  Eigen::Matrix4d transformation = local;
+  transformation.topRightCorner<3, 1>() +=
+      target_origin - local.topLeftCorner<3, 3>() * source_origin;
+  return transformation;
+}
+
+} // namespace tool

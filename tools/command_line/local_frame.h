@@ -1,0 +1,28 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include "io/geometry.h"
+
+namespace tool {
+
+/** \brief The origin of a frame amid a cloud, in which floats are as fine as can be: the
+ * median, which points far away do not move.
+ * \param[in] points at least one of them finite
+ * \throws std::invalid_argument where single precision cannot hold the cloud
+ */
+Eigen::Vector3d
+localOrigin(const Points& points);
+
+/** \brief A transformation between two local frames as one between the frames that they
+ * lie in.
+ * \param[in] local maps the source's local frame to the target's
+ */
+Eigen::Matrix4d
+fromLocalFrames(const Eigen::Matrix4d& local,
+                const Eigen::Vector3d& source_origin,
+                const Eigen::Vector3d& target_origin);
+
+} // namespace tool

@@ -1,0 +1,76 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "outputs.h"
+
+#include "report.h"
+#include "io/write_geometry.h"
+
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+
+namespace tool {
+namespace {
+
+/** The path by which files can be compared that do not exist yet. */
+std::string
+canonical(const std::string& path)
+{
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string();
+}
+
+} // namespace
+
+Outputs::Outputs(const Options& options)
+: options_(options)
+{
+  std::set<std::string> taken{canonical(options.source), canonical(options.target)};
+  const auto prepare = [&](const std::string& path, std::unique_ptr<OutputFile>& file) {
+    if (path.empty())
+      return;
+    if (!taken.insert(canonical(path)).second)
+      throw std::runtime_error(path +
+                               ": is named twice; give each output its own file");
+    file = std::make_unique<OutputFile>(path);
+  };
+  if (!options.aligned.empty())
+    fileFormatOf(options.aligned);
+  prepare(options.aligned, aligned_);
+  prepare(options.transform, transform_);
+  prepare(options.report, report_);
+}
+
+void
+Outputs::checkFormat(const Geometry& source) const
+{
+  if (aligned_ && fileFormatOf(options_.aligned) == FileFormat::STL &&
+      source.faces.empty())
+    throw std::runtime_error(options_.aligned + ": STL holds only triangles, and " +
+                             options_.source + " has none; use .ply, .pcd or .xyz");
+}
+
+void
+Outputs::write(const Result& result, const Geometry& source)
+{
+  const bool registered = result.converged;
+  if (aligned_ && registered)
+    aligned_->write([&](std::ostream& stream) {
+      writeGeometry(transformed(source, result.poses.front().transformation),
+                    fileFormatOf(options_.aligned), stream);
+    });
+  if (transform_ && registered)
+    transform_->write([&](std::ostream& stream) {
+      stream << transformationText(result.poses.front().transformation);
+    });
+  if (report_)
+    report_->write([&](std::ostream& stream) { stream << reportText(result); });
+
+  const SignalsHeld held; // all of them or none
+  for (auto* file : {aligned_.get(), transform_.get(), report_.get()})
+    if (file)
+      file->putInPlace();
+}
+
+} // namespace tool

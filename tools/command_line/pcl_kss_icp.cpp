@@ -1,0 +1,173 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "io/mesh_sampling.h"
+#include "options.h"
+#include "outputs.h"
+#include "progress_bar.h"
+#include "io/read_geometry.h"
+#include "registration.h"
+#include "report.h"
+#include "signals.h"
+
+#include <pcl/console/print.h>
+#include <pcl/registration/kss/devices.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iostream>
+
+/** \file
+ * The command line tool: registers two files and writes the result.
+ */
+
+namespace {
+
+using namespace tool;
+
+constexpr int SUCCESS = 0, NOT_REGISTERED = 1, FAILED = 2;
+
+/** Write a message on one line, whatever it quotes. */
+void
+complain(std::string message)
+{
+  std::replace_if(
+      message.begin(), message.end(), [](unsigned char c) { return std::iscntrl(c); },
+      ' ');
+  std::cerr << "pcl_kss_icp: " << message << '\n';
+}
+
+void
+checkDevice(const std::string& device)
+{
+  if (device == "auto" || device == "host")
+    return;
+  const auto names = pcl::kss::openCLDeviceNames();
+  if (std::none_of(names.begin(), names.end(), [&](const std::string& name) {
+        return name.find(device) != std::string::npos;
+      }))
+    throw std::runtime_error("--device " + device +
+                             ": there is no such OpenCL device; " +
+                             "use host, or a name that --list-devices shows");
+}
+
+/** Read a file, with a warning where its numbers are too coarse for what they say. */
+Geometry
+read(const std::string& path, bool quiet)
+{
+  Geometry geometry = readGeometry(path);
+  if (!quiet && hasSinglePrecision(geometry) &&
+      singlePrecisionIsCoarse(boundingBox(positionsOf(geometry))))
+    complain("warning: " + path +
+             ": its coordinates are far from the origin and held in single precision, "
+             "which rounds them; doubles in .ply or .xyz would be exact");
+  return geometry;
+}
+
+/** The points that stand for a file's contents. */
+Points
+pointsOf(const Geometry& geometry, std::size_t samples)
+{
+  return geometry.faces.empty() ? positionsOf(geometry) : sampleMesh(geometry, samples);
+}
+
+Result
+registerWithProgress(const Geometry& source, const Geometry& target, Options options)
+{
+  ProgressBar bar;
+  if (!options.quiet && ProgressBar::hasAudience())
+    options.settings.progress = [&](const std::string& stage, double done) {
+      bar.show(stage, done);
+    };
+  return registerClouds(pointsOf(source, options.samples),
+                        pointsOf(target, options.samples), options.settings,
+                        options.limits);
+}
+
+/** Say how many points were left out, far away from all others. */
+void
+warnOfFarPoints(std::size_t number, const std::string& path)
+{
+  if (number > 0)
+    complain("warning: " + path + ": " + std::to_string(number) +
+             (number == 1 ? " point lies" : " points lie") +
+             " far away from all others; the search went without");
+}
+
+int
+registerFiles(const Options& options)
+{
+  Outputs outputs(options);
+  checkDevice(options.settings.device);
+  const Geometry source = read(options.source, options.quiet);
+  const Geometry target = read(options.target, options.quiet);
+  outputs.checkFormat(source);
+
+  const Result result = registerWithProgress(source, target, options);
+
+  outputs.write(result, source);
+  if (!options.quiet && result.converged) {
+    warnOfFarPoints(result.far_points.source, options.source);
+    warnOfFarPoints(result.far_points.target, options.target);
+  }
+  if (!result.converged) {
+    complain("not registered: " + result.reason);
+    // a broken driver says nothing about the clouds
+    const bool is_broken = result.cause == pcl::kss::FailureCause::DEVICE ||
+                           result.cause == pcl::kss::FailureCause::OTHER;
+    return is_broken ? FAILED : NOT_REGISTERED;
+  }
+  if (!options.quiet)
+    std::cout << summaryText(result);
+  return SUCCESS;
+}
+
+int
+listDevices()
+{
+  for (const auto& name : pcl::kss::openCLDeviceNames())
+    std::cout << name << '\n';
+  return SUCCESS;
+}
+
+int
+run(const Options& options)
+{
+  switch (options.action) {
+  case Options::Action::SHOW_HELP:
+    std::cout << helpText();
+    return SUCCESS;
+  case Options::Action::SHOW_VERSION:
+    std::cout << "pcl_kss_icp " PCL_KSS_ICP_VERSION "\n";
+    return SUCCESS;
+  case Options::Action::LIST_DEVICES:
+    return listDevices();
+  case Options::Action::REGISTER:
+    return registerFiles(options);
+  }
+  return FAILED;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  endCleanlyOnSignals();
+  // All that PCL has to say about files and registrations is said here, once.
+  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+  try {
+    const int status = run(parseOptions(argc, argv));
+    if (!std::cout.flush())
+      throw std::runtime_error("cannot write to standard output");
+    return status;
+  }
+  catch (const std::bad_alloc&) {
+    complain("needs more memory than there is");
+  }
+  catch (const std::exception& problem) {
+    complain(problem.what());
+  }
+  return FAILED;
+}

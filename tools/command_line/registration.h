@@ -1,0 +1,70 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include "io/geometry.h"
+
+#include <pcl/registration/kss/detail/bulk.h>
+#include <pcl/registration/kss/failure.h>
+#include <pcl/registration/kss/result.h>
+#include <pcl/registration/kss/settings.h>
+#include <pcl/registration/kss/stages.h>
+
+#include <string>
+#include <vector>
+
+namespace tool {
+
+/** \brief A pose, and how much of the clouds lies on each other there. */
+struct Pose {
+  Eigen::Matrix4d transformation;
+  pcl::kss::Overlap overlap;
+};
+
+/** \brief What a registration found, in the coordinates of the files. */
+struct Result {
+  bool converged;
+  pcl::kss::FailureCause cause;
+  /** \brief Why it has not converged. */
+  std::string reason;
+  /** \brief All distinct poses by falling score, the first one the result; none where
+   * there is none. */
+  std::vector<Pose> poses;
+  double scale;
+  /** \brief How sure it is that the pose is right, in [0, 1]. */
+  double confidence;
+  /** \brief Whether the second pose is about as good as the first. */
+  bool ambiguous;
+  /** \brief Which parts of the object the clouds show. */
+  pcl::kss::Mode mode;
+  /** \brief The mean squared distance of the source's points from the target. */
+  double fitness;
+  /** \brief How many points of each cloud were left out, too far away from the others.
+   */
+  pcl::kss::FarPoints far_points;
+  std::string device;
+  std::vector<pcl::kss::StageSeconds> stages;
+  double seconds;
+};
+
+/** \brief When a registration ends at the latest. */
+struct Limits {
+  /** \brief Seconds of wall time; 0: as long as it takes. */
+  double seconds = 0.0;
+  /** \brief Iterations of the final ICP; 0: as many as the library allows. */
+  int iterations = 0;
+};
+
+/** \brief Register two clouds.
+ * \param[in] source at least one point finite
+ * \param[in] target at least one point finite
+ */
+Result
+registerClouds(const Points& source,
+               const Points& target,
+               const pcl::kss::Settings& settings,
+               const Limits& limits);
+
+} // namespace tool

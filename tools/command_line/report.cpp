@@ -1,0 +1,154 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "report.h"
+
+#include <pcl/registration/kss/result.h>
+
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace tool {
+namespace {
+
+/** A share in words: "42 %". */
+std::string
+percent(double share)
+{
+  return std::to_string(std::lround(100.0 * share)) + " %";
+}
+
+/** A matrix as its rows. */
+nlohmann::json
+toJSON(const Eigen::Matrix4d& matrix)
+{
+  auto rows = nlohmann::json::array();
+  for (int i = 0; i < 4; ++i)
+    rows.push_back({matrix(i, 0), matrix(i, 1), matrix(i, 2), matrix(i, 3)});
+  return rows;
+}
+
+/** The matrix in columns, with as many digits as it takes to read the same numbers. */
+std::string
+table(const Eigen::Matrix4d& matrix)
+{
+  std::ostringstream text;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      char digits[32];
+      const auto end = std::to_chars(digits, digits + sizeof digits, matrix(i, j)).ptr;
+      text << std::setw(25) << std::string(digits, end);
+    }
+    text << '\n';
+  }
+  return text.str();
+}
+
+const char*
+nameOf(pcl::kss::Mode mode)
+{
+  switch (mode) {
+  case pcl::kss::Mode::GLOBAL_GLOBAL:
+    return "global";
+  case pcl::kss::Mode::PARTIAL_GLOBAL:
+    return "partial";
+  case pcl::kss::Mode::PARTIAL_PARTIAL:
+    return "overlap";
+  default:
+    return "auto";
+  }
+}
+
+/** What a mode found says about the clouds. */
+const char*
+inWords(pcl::kss::Mode mode)
+{
+  switch (mode) {
+  case pcl::kss::Mode::GLOBAL_GLOBAL:
+    return "both show the same";
+  case pcl::kss::Mode::PARTIAL_GLOBAL:
+    return "one is a part of the other";
+  default:
+    return "both lack parts of the other";
+  }
+}
+
+nlohmann::ordered_json
+toJSON(const pcl::kss::Overlap& overlap)
+{
+  return {overlap.source, overlap.target};
+}
+
+} // namespace
+
+std::string
+transformationText(const Eigen::Matrix4d& transformation)
+{
+  std::ostringstream text;
+  text << std::setprecision(std::numeric_limits<double>::max_digits10);
+  for (int i = 0; i < 4; ++i)
+    text << transformation(i, 0) << ' ' << transformation(i, 1) << ' '
+         << transformation(i, 2) << ' ' << transformation(i, 3) << '\n';
+  return text.str();
+}
+
+std::string
+reportText(const Result& result)
+{
+  nlohmann::ordered_json report;
+  // JSON has no infinity or NaN: the library writes null for them.
+  report["converged"] = result.converged;
+  if (!result.converged)
+    report["reason"] = result.reason;
+  report["transformation"] = nullptr;
+  report["scale"] = nullptr;
+  report["mode"] = nullptr;
+  report["overlap"] = nullptr;
+  report["score"] = nullptr;
+  report["confidence"] = result.confidence;
+  report["ambiguous"] = result.ambiguous;
+  report["fitness"] = nullptr;
+  report["alternatives"] = nlohmann::ordered_json::array();
+  if (!result.poses.empty()) {
+    report["transformation"] = toJSON(result.poses.front().transformation);
+    report["scale"] = result.scale;
+    report["mode"] = nameOf(result.mode);
+    report["overlap"] = toJSON(result.poses.front().overlap);
+    report["score"] = result.poses.front().overlap.score;
+    report["fitness"] = result.fitness;
+  }
+  for (const auto& pose : result.poses)
+    report["alternatives"].push_back({{"transformation", toJSON(pose.transformation)},
+                                      {"overlap", toJSON(pose.overlap)},
+                                      {"score", pose.overlap.score}});
+  report["far_points"] = {result.far_points.source, result.far_points.target};
+  report["device"] = result.device;
+  for (const auto& stage : result.stages)
+    report["seconds"][stage.stage] = stage.seconds;
+  report["seconds"]["total"] = result.seconds;
+  // Names of devices may hold anything.
+  return report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+std::string
+summaryText(const Result& result)
+{
+  const Pose& pose = result.poses.front();
+  std::ostringstream text;
+  text << std::setprecision(4) << "Transformation of SOURCE onto TARGET:\n"
+       << table(pose.transformation) << "Scale:    " << result.scale
+       << "\nOverlap:  " << percent(pose.overlap.source) << " of SOURCE, "
+       << percent(pose.overlap.target) << " of TARGET ("
+       << inWords(result.mode) << ")"
+       << "\nSure:     " << percent(result.confidence)
+       << (result.ambiguous ? ", but another pose is about as good (see --report)" : "")
+       << "\nTime:     " << result.seconds << " s on " << result.device << '\n';
+  return text.str();
+}
+
+} // namespace tool
