@@ -6,6 +6,7 @@
 
 #include <pcl/registration/kss/detail/stopping.h>
 
+#include "candidates/numbers.h"
 #include "geometry/pre_shape.h"
 #include "preparation/preparation.h"
 #include "refinement/selection.h"
@@ -38,7 +39,7 @@ isGoodEnough(const JudgedPose& judged,
              CandidateSearch& search,
              const Settings& settings)
 try {
-  return search.energyAt(judged.pose, weights) <= settings.additional_process_threshold;
+  return search.energyAt(judged.T_target_source, weights) <= settings.additional_process_threshold;
 }
 catch (const Stopped&) {
   return true; // it has to be
@@ -52,14 +53,15 @@ refined(const std::vector<Minimum>& minima,
         const Settings& settings,
         const std::function<void(double)>& done)
 {
-  const Selection selection(shapes, settings.threads);
+  const double reach = search_numbers::reachOf(numberOfRotations(settings));
+  const Selection selection(shapes, reach, settings.threads);
   const Minimum& initial = minima.front();
   if (settings.additional_process_threshold > 0.0) {
     const auto judged = selection.best({initial.pose}, [](double) {});
     if (isGoodEnough(judged.front(), initial.weights, search, settings))
       return judged;
   }
-  std::vector<Eigen::Matrix4d> poses;
+  std::vector<Similarity> poses;
   for (const Minimum& minimum : minima)
     poses.push_back(minimum.pose);
   return selection.best(poses, done);
@@ -105,11 +107,12 @@ Alignment::align(const LocalCloud& source,
 
   // (e11) and (e12)
   stages.begin("refinement");
+  const Similarity T_target_shape = shapes->target.simplified.T_cloud_shape();
+  const Similarity T_shape_source = shapes->source.simplified.T_cloud_shape().inverse();
   Alternatives alternatives;
-  for (const JudgedPose& judged : refined(minima, *shapes, search, settings, done))
-    alternatives.push_back({fromPreShape(judged.pose, shapes->source.simplified,
-                                         shapes->target.simplified),
-                            judged.overlap});
+  for (const auto& [pose, overlap] : refined(minima, *shapes, search, settings, done))
+    alternatives.push_back(
+        {(T_target_shape * pose * T_shape_source).matrix(), overlap});
   stages.end();
   return {alternatives, PoseScorer(shapes)};
 }

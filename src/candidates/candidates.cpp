@@ -43,17 +43,15 @@ Candidates::partsOf(std::size_t index) const
           index % centers};
 }
 
-Eigen::Matrix4d
+Similarity
 Candidates::pose(std::size_t index) const
 {
   const Parts parts = partsOf(index);
   const Eigen::Vector3d& center = centers_.centers[parts.center];
-  const Eigen::Matrix3d linear =
-      scales_[parts.scale] * rotations_->rotations()[parts.rotation].toRotationMatrix();
-  Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
-  pose.topLeftCorner<3, 3>() = linear;
-  pose.topRightCorner<3, 1>() =
-      centered_ == Role::TARGET ? center : Eigen::Vector3d(-linear * center);
+  Similarity pose{scales_[parts.scale],
+                  rotations_->rotations()[parts.rotation].toRotationMatrix(), center};
+  if (centered_ == Role::SOURCE)
+    pose.translation = -pose.linear() * center;
   return pose;
 }
 
@@ -63,7 +61,7 @@ Candidates::placements(std::size_t begin, std::size_t count) const
   std::vector<Placement> found;
   found.reserve(count);
   for (std::size_t i = begin; i < begin + count; ++i)
-    found.push_back(pose(i).topRows<3>().cast<float>());
+    found.push_back(pose(i).placement());
   return found;
 }
 
@@ -73,7 +71,7 @@ Candidates::placements(const std::vector<std::size_t>& indices) const
   std::vector<Placement> found;
   found.reserve(indices.size());
   for (const std::size_t i : indices)
-    found.push_back(pose(i).topRows<3>().cast<float>());
+    found.push_back(pose(i).placement());
   return found;
 }
 

@@ -6,7 +6,7 @@
 
 #include "candidates/centers.h"
 #include "candidates/rotations.h"
-#include "geometry/placement.h"
+#include "geometry/similarity.h"
 
 #include <memory>
 #include <vector>
@@ -77,8 +77,8 @@ public:
     return around_[center];
   }
 
-  /** \brief The pose of a candidate: a similarity from source to target. */
-  Eigen::Matrix4d
+  /** \brief The pose of a candidate, T_target_source. */
+  Similarity
   pose(std::size_t index) const;
 
   /** \brief The placements of the candidates from \a begin on, \a count of them. */

@@ -6,6 +6,8 @@
 
 #include <pcl/registration/kss/detail/grid_index.h>
 
+#include "candidates/numbers.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
@@ -14,8 +16,7 @@ namespace pcl {
 namespace kss {
 namespace {
 
-/** Centres of a cloud that is much larger than the other at most. */
-constexpr double most_centers = 10000.0;
+using search_numbers::most_centers;
 
 /** The grid {-n..n} x {-n..n} x {-n..n} along the columns of \a axes. */
 CandidateCenters

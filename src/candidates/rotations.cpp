@@ -26,6 +26,13 @@ radiusOf(unsigned int kernel, std::size_t rotations)
   return std::min(M_PI, 0.5 * (kernel - 1.0) * step);
 }
 
+/** Steps that fill the circle, of about an angle. */
+int
+stepsOfCircle(double angle)
+{
+  return std::max(1, static_cast<int>(std::lround(2.0 * M_PI / angle)));
+}
+
 } // namespace
 
 std::vector<std::size_t>
@@ -44,7 +51,7 @@ CandidateRotations::neighbours(std::size_t index, unsigned int kernel) const
 }
 
 EulerRotations::EulerRotations(double angle_step)
-: steps_(std::max(1, static_cast<int>(std::lround(2.0 * M_PI / angle_step))))
+: steps_(stepsOfCircle(angle_step))
 {
   const auto turn = [this](int step, const Eigen::Vector3d& axis) {
     return Eigen::AngleAxisd(2.0 * M_PI * step / steps_, axis);
@@ -115,6 +122,15 @@ EvenRotations::findNeighbours(std::size_t index, unsigned int kernel) const
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
+}
+
+std::size_t
+numberOfRotations(const Settings& settings)
+{
+  if (settings.rotation_set == RotationSet::EVEN)
+    return settings.even_rotations;
+  const auto steps = static_cast<std::size_t>(stepsOfCircle(settings.angle_step));
+  return steps * steps * steps;
 }
 
 std::unique_ptr<CandidateRotations>

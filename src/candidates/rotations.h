@@ -90,6 +90,10 @@ private:
   std::shared_ptr<const RotationCells> cells_;
 };
 
+/** \brief How many rotations the set that the settings ask for has. */
+std::size_t
+numberOfRotations(const Settings& settings);
+
 /** \brief The set that the settings ask for. */
 std::unique_ptr<CandidateRotations>
 candidateRotations(const Settings& settings);

@@ -4,6 +4,9 @@
 
 #include "candidates/sweeps.h"
 
+#include "candidates/numbers.h"
+#include "geometry/clouds.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,28 +14,14 @@ namespace pcl {
 namespace kss {
 namespace {
 
-/** Adjacent scales: ICP on many starts closes half such a gap easily. */
-constexpr double scale_step = 1.25;
-
-/** How far centres are looked for, in standard deviations of the cloud along an axis,
- * and how far apart, in root mean square radii: for a part and the whole, and, where
- * more is affordable, for two parts. */
-struct Centers {
-  double reach, step;
-};
-constexpr Centers of_a_part{1.1, 0.36};
-constexpr Centers of_two_parts{1.6, 0.3};
-
-/** What the second direction counts where one cloud is a part of the other: enough for
- * the energy not to fall when the part shrinks. */
-constexpr float neutral = 0.25f;
+using namespace search_numbers;
 
 /** Powers of the step from the range, and 1 or what is nearest to it. */
 std::vector<double>
 scalesIn(const ScaleRange& range)
 {
   std::vector<double> scales;
-  for (int i = -3; i <= 3; ++i) {
+  for (int i = -scale_steps; i <= scale_steps; ++i) {
     const double scale = std::pow(scale_step, i);
     // rounding aside
     if (scale >= 0.9999 * range.smallest && scale <= 1.0001 * range.largest)
@@ -41,12 +30,6 @@ scalesIn(const ScaleRange& range)
   if (scales.empty())
     scales.push_back(range.clamp(1.0));
   return scales;
-}
-
-double
-rootMeanSquareRadius(const Points& points)
-{
-  return std::sqrt(points.squaredNorm() / points.cols());
 }
 
 } // namespace
@@ -61,7 +44,7 @@ sweepsOf(const Settings& settings,
       candidateRotations(settings);
   const float other = settings.energy == Energy::HAUSDORFF ? 0.0f : neutral;
   const Weights both{1.0f, 1.0f}, from_source{1.0f, other}, from_target{other, 1.0f};
-  const auto centersOf = [&](const Points& cloud, const Centers& centers) {
+  const auto centersOf = [&](const Points& cloud, const CenterGrid& centers) {
     return settings.center_set == CenterSet::PAPER
                ? paperCenters(cloud)
                : spreadCenters(cloud, centers.reach, centers.step);
@@ -77,13 +60,13 @@ sweepsOf(const Settings& settings,
 
   // Centres of the cloud that the energy is directed to suit the screening; the paper
   // replaces the centre of the incomplete cloud.
-  const auto onSource = [&](const ScaleRange& range, const Centers& centers,
+  const auto onSource = [&](const ScaleRange& range, const CenterGrid& centers,
                             const std::vector<Weights>& energies) -> Sweep {
     return {Candidates(rotations, scalesOf(range), centersOf(source, centers),
                        Role::SOURCE),
             energies};
   };
-  const auto onTarget = [&](const ScaleRange& range, const Centers& centers,
+  const auto onTarget = [&](const ScaleRange& range, const CenterGrid& centers,
                             const std::vector<Weights>& energies) -> Sweep {
     return {Candidates(rotations, scalesOf(range), centersOf(target, centers),
                        Role::TARGET),
@@ -105,12 +88,13 @@ sweepsOf(const Settings& settings,
   }
   // Unknown scales make the search so much longer that AUTOMATIC then expects one cloud
   // to be nearly complete. The larger cloud sets how far its centre can be away.
-  Centers centers =
+  const CenterGrid centers =
       scales.smallest == scales.largest || settings.mode == Mode::PARTIAL_PARTIAL
           ? of_two_parts
           : of_a_part;
-  const double ratio = rootMeanSquareRadius(source) / rootMeanSquareRadius(target);
-  Centers on_source = centers, on_target = centers;
+  const double ratio = rootMeanSquareRadius(source, Eigen::Vector3f::Zero()) /
+                       rootMeanSquareRadius(target, Eigen::Vector3f::Zero());
+  CenterGrid on_source = centers, on_target = centers;
   on_target.reach *= std::max(1.0, ratio);
   on_source.reach *= std::max(1.0, 1.0 / ratio);
   // A part is smaller than the whole, its pre-shape too large: what is turned upon the

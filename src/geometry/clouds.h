@@ -26,6 +26,13 @@ longestEdge(const Points& cloud)
   return (cloud.rowwise().maxCoeff() - cloud.rowwise().minCoeff()).maxCoeff();
 }
 
+/** \brief The root mean square distance of the points from a centre. */
+inline float
+rootMeanSquareRadius(const Points& cloud, const Eigen::Vector3f& center)
+{
+  return std::sqrt((cloud.colwise() - center).squaredNorm() / cloud.cols());
+}
+
 /** \brief How much wider than usual the cells around a cloud may be: some fifty along
  * the cloud are too many for fewer than 216 points, 512 cells a point.
  */

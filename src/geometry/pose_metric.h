@@ -6,6 +6,8 @@
 
 #include <pcl/registration/kss/detail/points.h>
 
+#include "geometry/similarity.h"
+
 #include <Eigen/Cholesky>
 
 #include <cmath>
@@ -36,15 +38,15 @@ public:
   }
 
   Place
-  placeOf(const Eigen::Matrix4d& pose) const
+  placeOf(const Similarity& pose) const
   {
-    Eigen::Matrix<float, 3, 4> place = pose.topRows<3>().cast<float>();
+    Eigen::Matrix<float, 3, 4> place = pose.placement();
     place.leftCols<3>() *= spread_;
     return Eigen::Map<const Place>(place.data());
   }
 
   double
-  distance(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const
+  distance(const Similarity& a, const Similarity& b) const
   {
     return (placeOf(a) - placeOf(b)).norm();
   }
@@ -67,7 +69,7 @@ public:
 
   /** \brief Whether none of the poses taken before is the same; if so, it is taken. */
   bool
-  take(const Eigen::Matrix4d& pose)
+  take(const Similarity& pose)
   {
     const PoseMetric::Place place = metric_.placeOf(pose);
     for (const PoseMetric::Place& other : places_)

@@ -11,29 +11,6 @@
 namespace pcl {
 namespace kss {
 
-namespace {
-
-/** Pre-shape coordinates to those of the cloud: x = center + size * y. */
-Eigen::Matrix4d
-fromUnit(const PreShape& shape)
-{
-  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
-  matrix.topLeftCorner<3, 3>() *= shape.size;
-  matrix.topRightCorner<3, 1>() = shape.center;
-  return matrix;
-}
-
-Eigen::Matrix4d
-toUnit(const PreShape& shape)
-{
-  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
-  matrix.topLeftCorner<3, 3>() /= shape.size;
-  matrix.topRightCorner<3, 1>() = -shape.center / shape.size;
-  return matrix;
-}
-
-} // namespace
-
 PreShape
 toPreShape(const LocalCloud& cloud)
 {
@@ -59,22 +36,6 @@ PreShape
 withSize(const PreShape& shape, double size)
 {
   return {shape.points * static_cast<float>(shape.size / size), shape.center, size};
-}
-
-Eigen::Matrix4d
-fromPreShape(const Eigen::Matrix4d& pose,
-             const PreShape& source,
-             const PreShape& target)
-{
-  return fromUnit(target) * pose * toUnit(source);
-}
-
-Eigen::Matrix4d
-toPreShapePose(const Eigen::Matrix4d& transformation,
-               const PreShape& source,
-               const PreShape& target)
-{
-  return toUnit(target) * transformation * fromUnit(source);
 }
 
 } // namespace kss

@@ -6,7 +6,7 @@
 
 #include <pcl/registration/kss/detail/points.h>
 
-#include <Eigen/Geometry>
+#include "geometry/similarity.h"
 
 namespace pcl {
 namespace kss {
@@ -19,6 +19,13 @@ struct PreShape {
   Eigen::Vector3d center;
   /** \brief The centroid size over the square root of the number of points. */
   double size;
+
+  /** \brief From pre-shape coordinates y to those of the cloud: x = center + size y. */
+  Similarity
+  T_cloud_shape() const
+  {
+    return {size, Eigen::Matrix3d::Identity(), center};
+  }
 };
 
 /** \brief Map a cloud to pre-shape space, (e2) of the paper.
@@ -40,18 +47,6 @@ toPreShape(const LocalCloud& cloud);
  */
 PreShape
 withSize(const PreShape& shape, double size);
-
-/** \brief A pose between pre-shapes as a transformation between the clouds. */
-Eigen::Matrix4d
-fromPreShape(const Eigen::Matrix4d& pose,
-             const PreShape& source,
-             const PreShape& target);
-
-/** \brief A transformation between clouds as a pose between their pre-shapes. */
-Eigen::Matrix4d
-toPreShapePose(const Eigen::Matrix4d& transformation,
-               const PreShape& source,
-               const PreShape& target);
 
 } // namespace kss
 } // namespace pcl

@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
+#include "geometry/similarity.h"
+
 #include <pcl/registration/kss/detail/similarity.h>
 
 #include <Eigen/LU>
@@ -11,19 +13,38 @@
 namespace pcl {
 namespace kss {
 
+Similarity
+Similarity::of(const Eigen::Matrix4d& matrix)
+{
+  const double scale = scaleOf(matrix);
+  return {scale, matrix.topLeftCorner<3, 3>() / scale, matrix.topRightCorner<3, 1>()};
+}
+
+Eigen::Matrix4d
+Similarity::matrix() const
+{
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  matrix.topLeftCorner<3, 3>() = linear();
+  matrix.topRightCorner<3, 1>() = translation;
+  return matrix;
+}
+
+bool
+Similarity::isUsable() const
+{
+  // between clouds of any two sizes that are taken
+  constexpr double most_scale = 1e25, farthest = 1e30;
+  return scale > 1.0 / most_scale && scale < most_scale && rotation.allFinite() &&
+         translation.allFinite() && translation.cwiseAbs().maxCoeff() <= farthest &&
+         (rotation * rotation.transpose()).isIdentity(1e-3);
+}
+
 bool
 isSimilarity(const Eigen::Matrix4d& matrix)
 {
   const Eigen::RowVector4d last_row(0.0, 0.0, 0.0, 1.0);
-  // between clouds of any two sizes that are taken
-  constexpr double most_scale = 1e25, farthest = 1e30;
-  const double scale = scaleOf(matrix);
-  if (!matrix.allFinite() || !matrix.row(3).isApprox(last_row) ||
-      !(scale > 1.0 / most_scale && scale < most_scale) ||
-      matrix.topRightCorner<3, 1>().cwiseAbs().maxCoeff() > farthest)
-    return false;
-  const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>() / scale;
-  return (rotation * rotation.transpose()).isIdentity(1e-3);
+  return matrix.allFinite() && matrix.row(3).isApprox(last_row) &&
+         Similarity::of(matrix).isUsable();
 }
 
 double

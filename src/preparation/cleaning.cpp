@@ -4,6 +4,7 @@
 
 #include "preparation/cleaning.h"
 
+#include "geometry/clouds.h"
 #include "geometry/cell_grid.h"
 #include "geometry/median.h"
 #include "geometry/neighbourhoods.h"
@@ -108,21 +109,11 @@ usualVariation(const Points& cloud, unsigned int threads)
       cloud, neighbourhoodsOf(cloud, flat_neighbours, threads), threads));
 }
 
-float
-rootMeanSquareRadius(const Points& cloud)
-{
-  const Eigen::Vector3f center = cloud.rowwise().mean();
-  return std::sqrt((cloud.colwise() - center).squaredNorm() / cloud.cols());
-}
-
 /** Every fourth point: their neighbourhoods are twice as wide. */
 Points
 quarterOf(const Points& cloud)
 {
-  Points quarter(3, cloud.cols() / 4);
-  for (Eigen::Index i = 0; i < quarter.cols(); ++i)
-    quarter.col(i) = cloud.col(4 * i);
-  return quarter;
+  return cloud(Eigen::all, Eigen::seqN(0, cloud.cols() / 4, 4));
 }
 
 } // namespace
@@ -180,7 +171,7 @@ averageNoise(Points& source, Points& target, unsigned int samples, unsigned int 
     Averaging(const Points& noisy, unsigned int samples, unsigned int threads)
     : cloud(noisy)
     , at(simplify(noisy, samples, Density::UNIFORM, threads))
-    , size(rootMeanSquareRadius(noisy))
+    , size(rootMeanSquareRadius(noisy, noisy.rowwise().mean()))
     {
     }
     const Points& cloud;

@@ -18,9 +18,6 @@ namespace {
 /** Points of a cloud that take part in refinement and judgement at most. */
 constexpr std::size_t most_points = 12000;
 
-/** Points that a shape can be told by. */
-constexpr std::size_t fewest_points = 64;
-
 /** Means of a noisy cloud. */
 constexpr unsigned int most_means = 2500;
 
@@ -79,7 +76,7 @@ simplified(const PreparedCloud& source,
   // a cloud of very few points must not take the other's shape from it
   const auto even = [](const PreparedCloud& cloud) {
     return std::max(evenSampleSize(cloud.order, cloud.surface.neighbourhoods),
-                    fewest_points);
+                    fewest_samples);
   };
   const std::size_t k = std::min(even(source), even(target));
   const auto first = [k](const PreparedCloud& cloud) {

@@ -220,10 +220,6 @@ onePerCell(const Points& cloud, std::size_t least, std::size_t most)
   return stride == 1 ? kept : onePerCell(cloud, edge, most, 1);
 }
 
-/** A cloud of no more points than these is taken as it is: evenness would leave too
- * little of it to tell a shape by. */
-constexpr std::size_t fewest_samples = 64;
-
 /** Points whose neighbours tell how sparse a cloud can be. */
 constexpr std::size_t spacing_probes = 256;
 

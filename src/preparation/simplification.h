@@ -13,13 +13,17 @@
 namespace pcl {
 namespace kss {
 
+/** \brief A cloud of no more points than these is taken as it is: evenness would leave
+ * too little of it to tell a shape by. */
+constexpr std::size_t fewest_samples = 64;
+
 /** \brief How many points of a cloud can be spread evenly.
  *
  * Where a cloud is so sparse that its own spacing exceeds that of as many even samples,
  * fewer have to do: no choice among its points could be even.
  * \param[in] order the points asked for
  * \param[in] neighbourhoods of the cloud
- * \return no more than were asked for, and no less than the smaller of that and 64
+ * \return no more than were asked for, and no less than the smaller of that and \ref fewest_samples
  */
 std::size_t
 evenSampleSize(const FarthestOrder& order, const Neighbourhoods& neighbourhoods);

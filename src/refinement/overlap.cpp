@@ -4,7 +4,7 @@
 
 #include "refinement/overlap.h"
 
-#include <pcl/registration/kss/detail/similarity.h>
+#include "geometry/take.h"
 
 #include "geometry/pre_shape.h"
 
@@ -19,19 +19,19 @@ struct Share {
   double covered = 0.0, closeness = 0.0;
 };
 
-/** How much of \a from, placed by \a placement, \a to covers; the spacing of \a from
- * times \a scale is that of the placed points. */
+/** How much of \a from, placed, \a to covers. */
 Share
 shareOf(const NearestPoints& from,
         const NearestPoints& to,
-        const Eigen::Affine3f& placement,
-        float scale,
+        const Similarity& T_to_from,
         Eigen::Index most)
 {
+  const Eigen::Affine3f placement = T_to_from.affine();
+  const auto scale = static_cast<float>(T_to_from.scale); // of the spacing, too
   Share share;
   const Eigen::Index size = from.points().cols(), count = std::min(most, size);
   for (Eigen::Index n = 0; n < count; ++n) {
-    const Eigen::Index i = n * size / count;
+    const Eigen::Index i = evenlySpaced(n, count, size);
     float squared;
     const int nearest = to.nearest(placement * from.points().col(i), squared);
     const float spacing = std::max(scale * from.spacing()[i], to.spacing()[nearest]);
@@ -50,13 +50,11 @@ shareOf(const NearestPoints& from,
 Overlap
 overlapAt(const NearestPoints& source,
           const NearestPoints& target,
-          const Eigen::Matrix4d& pose,
+          const Similarity& T_target_source,
           Eigen::Index most)
 {
-  const Eigen::Affine3f placement(pose.cast<float>());
-  const auto scale = static_cast<float>(scaleOf(pose));
-  const Share forth = shareOf(source, target, placement, scale, most);
-  const Share back = shareOf(target, source, placement.inverse(), 1.0f / scale, most);
+  const Share forth = shareOf(source, target, T_target_source, most);
+  const Share back = shareOf(target, source, T_target_source.inverse(), most);
   return {forth.covered, back.covered, forth.closeness + back.closeness};
 }
 

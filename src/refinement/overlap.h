@@ -7,6 +7,7 @@
 #include <pcl/registration/kss/result.h>
 
 #include "geometry/nearest_points.h"
+#include "geometry/similarity.h"
 
 #include <Eigen/Geometry>
 
@@ -26,12 +27,13 @@ constexpr float covered = 1.5f;
  * surface covers another sampling of itself that closely, and hardly anything else.
  * \param[in] source points of the source, and their spacing
  * \param[in] target points of the target, and their spacing
- * \param[in] pose a similarity from source to target
+ * \param[in] T_target_source the pose
+ * \param[in] most points of each cloud that tell, spread over it
  */
 Overlap
 overlapAt(const NearestPoints& source,
           const NearestPoints& target,
-          const Eigen::Matrix4d& pose,
+          const Similarity& T_target_source,
           Eigen::Index most = std::numeric_limits<Eigen::Index>::max());
 
 } // namespace kss

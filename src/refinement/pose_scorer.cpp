@@ -16,11 +16,11 @@ namespace kss {
 namespace {
 
 /** A transformation between the clouds as a pose between their pre-shapes. */
-Eigen::Matrix4d
+Similarity
 poseOf(const Eigen::Matrix4d& transformation, const ShapePair& shapes)
 {
-  return toPreShapePose(transformation, shapes.source.simplified,
-                        shapes.target.simplified);
+  return shapes.target.simplified.T_cloud_shape().inverse() *
+         Similarity::of(transformation) * shapes.source.simplified.T_cloud_shape();
 }
 
 } // namespace

@@ -4,7 +4,6 @@
 
 #include "refinement/refinement.h"
 
-#include <pcl/registration/kss/detail/similarity.h>
 
 #include "geometry/pre_shape.h"
 #include "support/wide_vectors.h"
@@ -108,7 +107,7 @@ public:
 
   /** The similarity of this scale that brings the source points closest to their
    * counterparts: (e7) and (e8), with a determinant that cannot become a mirror's. */
-  Eigen::Matrix4d
+  Similarity
   similarity(double scale) const
   {
     using Product = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
@@ -120,11 +119,9 @@ public:
     const Eigen::Matrix3d& v = svd.matrixV();
     const Eigen::Vector3d signs(1.0, 1.0,
                                 (u * v.transpose()).determinant() < 0 ? -1 : 1);
-    const Eigen::Matrix3d linear = scale * u * signs.asDiagonal() * v.transpose();
-    Eigen::Matrix4d similarity = Eigen::Matrix4d::Identity();
-    similarity.topLeftCorner<3, 3>() = linear;
-    similarity.topRightCorner<3, 1>() = (target() - linear * source()) / sums_[WEIGHT];
-    return similarity;
+    const Eigen::Matrix3d rotation = u * signs.asDiagonal() * v.transpose();
+    return {scale, rotation,
+            (target() - scale * (rotation * source())) / sums_[WEIGHT]};
   }
 
 private:
@@ -215,6 +212,14 @@ private:
   Pairs::Rows &own_, &other_;
 };
 
+/** By how much two poses differ in any number of their matrices. */
+double
+largestChange(const Similarity& a, const Similarity& b)
+{
+  return std::max((a.linear() - b.linear()).cwiseAbs().maxCoeff(),
+                  (a.translation - b.translation).cwiseAbs().maxCoeff());
+}
+
 } // namespace
 
 Refinement::Refinement(const Points& source_probes,
@@ -230,10 +235,10 @@ Refinement::Refinement(const Points& source_probes,
 {
 }
 
-Eigen::Matrix4d
-Refinement::refine(const Eigen::Matrix4d& initial, const Effort& effort) const
+Similarity
+Refinement::refine(const Similarity& initial, const Effort& effort) const
 {
-  Eigen::Matrix4d pose = initial;
+  Similarity pose = initial;
   const int falling = std::max(1, effort.iterations / 2);
   Pairs from_source, from_target;
   Counterparts forth(source_probes_, target_, effort, from_source, from_source.source,
@@ -244,21 +249,18 @@ Refinement::refine(const Eigen::Matrix4d& initial, const Effort& effort) const
     const double fallen = std::min(1.0, static_cast<double>(iteration) / falling);
     const double reach =
         effort.widest * std::pow(effort.narrowest / effort.widest, fallen);
-    const Eigen::Affine3f placement(pose.cast<float>());
-    const double scale = scaleOf(pose);
-    forth.find(placement, 1.0f);
-    back.find(placement.inverse(), static_cast<float>(scale));
+    forth.find(pose.affine(), 1.0f);
+    back.find(pose.inverse().affine(), static_cast<float>(pose.scale));
     Procrustes pairs;
     pairs.add(from_source, reach);
     pairs.add(from_target, reach);
     const double estimate = scales_.smallest < scales_.largest
                                 ? scales_.clamp(pairs.symmetricScale())
-                                : scale;
-    const Eigen::Matrix4d next = pairs.similarity(estimate);
-    if (!isSimilarity(next))
+                                : pose.scale;
+    const Similarity next = pairs.similarity(estimate);
+    if (!next.isUsable())
       break;
-    const bool settled =
-        iteration > falling && (next - pose).cwiseAbs().maxCoeff() < 1e-5;
+    const bool settled = iteration > falling && largestChange(pose, next) < 1e-5;
     pose = next;
     if (settled)
       break;

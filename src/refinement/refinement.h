@@ -6,7 +6,8 @@
 
 #include <pcl/registration/kss/detail/points.h>
 
-#include "candidates/sweeps.h"
+#include "geometry/scale_range.h"
+#include "geometry/similarity.h"
 #include "geometry/nearest_points.h"
 
 #include <Eigen/Core>
@@ -56,10 +57,9 @@ public:
              const NearestPoints& target,
              const ScaleRange& scales);
 
-  /** \brief Refine a pose, a similarity from source to target; safe to call from
-   * several threads at once. */
-  Eigen::Matrix4d
-  refine(const Eigen::Matrix4d& pose, const Effort& effort) const;
+  /** \brief Refine a pose; safe to call from several threads at once. */
+  Similarity
+  refine(const Similarity& T_target_source, const Effort& effort) const;
 
 private:
   const Points& source_probes_;

@@ -4,10 +4,11 @@
 
 #pragma once
 
-#include "geometry/pose_metric.h"
+#include <pcl/registration/kss/result.h>
+
+#include "geometry/similarity.h"
+#include "refinement/selection_steps.h"
 #include "refinement/shape_pair.h"
-#include "refinement/overlap.h"
-#include "refinement/refinement.h"
 
 #include <functional>
 #include <vector>
@@ -19,7 +20,7 @@ namespace kss {
  * there.
  */
 struct JudgedPose {
-  StoredPose pose;
+  Similarity T_target_source;
   Overlap overlap;
 };
 
@@ -27,14 +28,15 @@ struct JudgedPose {
  *
  * All poses are refined with few points, and fewer and fewer of them with more. First
  * they are ranked by how near the clouds come to each other, which leads from afar, in
- * the end by their overlap, which tells right from wrong.
+ * the end by their overlap, which tells right from wrong: see selection_steps.h.
  */
 class Selection {
 public:
   /** \param[in] shapes kept by reference
+   * \param[in] reach how far the candidates may leave points off
    * \param[in] threads 0: as many as there are cores; the result does not depend on it
    */
-  Selection(const ShapePair& shapes, unsigned int threads);
+  Selection(const ShapePair& shapes, double reach, unsigned int threads);
 
   /** \brief The distinct poses that refinement leads to, by falling score; five at
    * most. Where the work is stopped, as far as they have come.
@@ -42,15 +44,13 @@ public:
    * \param[in] done told the share of the work that is done
    */
   std::vector<JudgedPose>
-  best(const std::vector<Eigen::Matrix4d>& poses,
+  best(const std::vector<Similarity>& poses,
        const std::function<void(double)>& done) const;
 
 private:
-  using Poses = std::vector<Eigen::Matrix4d>;
-
   /** \brief A pose and what it costs. */
   struct Ranked {
-    StoredPose pose;
+    Similarity pose;
     double cost;
   };
 
@@ -62,21 +62,20 @@ private:
   refineMoreAndMore(std::vector<Ranked>& ranked,
                     const std::function<void(double)>& done) const;
 
-  /** \brief The poses refined, by rising cost; of those closer together than \a
-   * distinct one is kept. */
-  template <typename Cost>
+  /** \brief One step: the poses refined, by rising cost. */
   std::vector<Ranked>
-  refined(const Poses& poses,
-          const Refinement& refinement,
-          const Refinement::Effort& effort,
-          const Cost& cost,
-          double distinct) const;
+  refined(const std::vector<Ranked>& ranked, const SelectionStep& step) const;
 
   double
-  truncatedMean(const Eigen::Matrix4d& pose, Eigen::Index points, double limit) const;
+  costOf(const Similarity& pose, const SelectionStep& step) const;
+
+  double
+  truncatedMean(const Similarity& pose, Eigen::Index points, double limit) const;
 
   const ShapePair& shapes_;
+  double reach_;
   unsigned int threads_;
+  Points source_probes_, target_probes_; ///< of all of the clouds
 };
 
 } // namespace kss

@@ -6,6 +6,7 @@
 
 #include <pcl/registration/kss/detail/stopping.h>
 
+#include "candidates/numbers.h"
 #include "evaluators/evaluator_choice.h"
 #include "search/exact/exact_search.h"
 
@@ -19,18 +20,7 @@ namespace pcl {
 namespace kss {
 namespace {
 
-/** Beyond this length, in root mean square radii of the target, a distance does not
- * count: about as far as a candidate next to the right pose leaves points off. */
-constexpr float search_limit = 0.35f;
-
-/** Candidates of a sweep that are evaluated after screening, about. */
-constexpr std::size_t most_screened = 8000;
-
-/** Minima of an energy at most. */
-constexpr std::size_t most_minima = 80;
-
-/** Gigabytes that the candidates of a sweep may take. */
-constexpr double most_memory = 4.0;
+using namespace search_numbers;
 
 /** What is kept of each candidate while it is searched, in bytes, about. */
 double
@@ -65,7 +55,7 @@ throwWhereTooMany(const Candidates& candidates, Search search)
 
 CandidateSearch::CandidateSearch(const Settings& settings)
 : settings_(settings)
-, limit_(search_limit)
+, limit_(static_cast<float>(reachOf(numberOfRotations(settings))))
 {
   if (settings.energy == Energy::HAUSDORFF)
     limit_ = std::numeric_limits<float>::max();
@@ -109,7 +99,7 @@ CandidateSearch::localMinima(const Points& source,
       throw;
   }
   // The energies share many of their minima.
-  DistinctPoses distinct(metric, 1e-3);
+  DistinctPoses distinct(metric, same_minimum);
   std::vector<Minimum> all;
   for (const Minimum& minimum : minima)
     if (distinct.take(minimum.pose))
@@ -149,7 +139,7 @@ CandidateSearch::screened(const Sweep& sweep, const PoseMetric& metric)
     DistinctPoses distinct(metric, same_pose);
     for (const std::size_t i : sweep.candidates.localMinima(
              energies, found, settings_.local_minimum_kernel, same_pose)) {
-      const Eigen::Matrix4d pose = sweep.candidates.pose(i);
+      const Similarity pose = sweep.candidates.pose(i);
       if (distinct.size() < most_minima && distinct.take(pose))
         minima.push_back({pose, energies[i], weights});
     }
@@ -174,12 +164,11 @@ std::vector<Minimum>
 CandidateSearch::evaluated(const Sweep& sweep, const std::function<void(double)>& done)
 {
   // Algorithm 2 for all candidates, so many at once
-  constexpr std::size_t batch = 1 << 16;
   const std::size_t size = sweep.candidates.size();
   std::vector<std::vector<float>> energies(sweep.energies.size());
-  for (std::size_t begin = 0; begin < size; begin += batch) {
+  for (std::size_t begin = 0; begin < size; begin += at_once) {
     const auto distances = evaluator_->evaluate(
-        sweep.candidates.placements(begin, std::min(batch, size - begin)));
+        sweep.candidates.placements(begin, std::min(at_once, size - begin)));
     for (std::size_t e = 0; e < energies.size(); ++e)
       for (const DirectedDistances& d : distances)
         energies[e].push_back(energyOf(d, sweep.energies[e], settings_.energy));
@@ -197,10 +186,10 @@ CandidateSearch::evaluated(const Sweep& sweep, const std::function<void(double)>
 }
 
 float
-CandidateSearch::energyAt(const Eigen::Matrix4d& pose, const Weights& weights)
+CandidateSearch::energyAt(const Similarity& pose, const Weights& weights)
 {
-  const Placement placement = pose.topRows<3>().cast<float>();
-  return energyOf(evaluator_->evaluate({placement}).front(), weights, settings_.energy);
+  return energyOf(evaluator_->evaluate({pose.placement()}).front(), weights,
+                  settings_.energy);
 }
 
 std::string

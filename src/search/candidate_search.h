@@ -20,7 +20,7 @@ namespace kss {
 
 /** \brief A local minimum of an energy: a pose between the pre-shapes. */
 struct Minimum {
-  StoredPose pose;
+  Similarity pose;
   float energy;
   Weights weights;
 };
@@ -52,7 +52,7 @@ public:
 
   /** \brief The energy of one pose of the clouds of the last localMinima(). */
   float
-  energyAt(const Eigen::Matrix4d& pose, const Weights& weights);
+  energyAt(const Similarity& pose, const Weights& weights);
 
   /** \brief The name of the device that does the work. */
   std::string

@@ -6,6 +6,7 @@
 
 #include <pcl/registration/kss/detail/stopping.h>
 
+#include "candidates/numbers.h"
 #include "candidates/rotation_cells.h"
 
 #include <algorithm>
@@ -19,8 +20,7 @@ namespace {
 /** Points of each cloud at the first level. */
 constexpr Eigen::Index first_probes = 128;
 
-/** Candidates that are evaluated at once: more would take memory for nothing. */
-constexpr std::size_t batch = 1 << 16;
+using search_numbers::at_once;
 
 /** For each rotation, the first that is the same: the Euler grid holds most twice.
  * Bounds have more room for rounding errors than the two differ by. */
@@ -49,9 +49,9 @@ template <typename Work>
 void
 inBatches(const std::vector<std::size_t>& candidates, const Work& work)
 {
-  for (std::size_t begin = 0; begin < candidates.size(); begin += batch) {
+  for (std::size_t begin = 0; begin < candidates.size(); begin += at_once) {
     throwIfStopped();
-    const std::size_t end = std::min(begin + batch, candidates.size());
+    const std::size_t end = std::min(begin + at_once, candidates.size());
     work({candidates.begin() + begin, candidates.begin() + end});
   }
 }

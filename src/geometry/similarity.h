@@ -1,0 +1,82 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include "geometry/placement.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace pcl {
+namespace kss {
+
+/** \brief A similarity: x -> scale * rotation * x + translation.
+ *
+ * Variables are named by their frames: T_target_source takes coordinates in the frame of
+ * the source to those in the frame of the target, and T_a_b * T_b_c is T_a_c.
+ */
+struct Similarity {
+  double scale = 1.0;
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+
+  /** \brief From its 4x4 matrix, see isSimilarity(). */
+  static Similarity
+  of(const Eigen::Matrix4d& matrix);
+
+  /** \brief Scale times rotation. */
+  Eigen::Matrix3d
+  linear() const
+  {
+    return scale * rotation;
+  }
+
+  /** \brief The similarity that takes everything back: T_b_a of T_a_b. */
+  Similarity
+  inverse() const
+  {
+    return {1.0 / scale, rotation.transpose(),
+            -(rotation.transpose() * translation) / scale};
+  }
+
+  /** \brief The 4x4 matrix. */
+  Eigen::Matrix4d
+  matrix() const;
+
+  /** \brief Its upper three rows, as evaluators take them. */
+  Placement
+  placement() const
+  {
+    Placement rows;
+    rows << linear().cast<float>(), translation.cast<float>();
+    return rows;
+  }
+
+  /** \brief For single points. */
+  Eigen::Affine3f
+  affine() const
+  {
+    Eigen::Affine3f map;
+    map.linear() = linear().cast<float>();
+    map.translation() = translation.cast<float>();
+    map.makeAffine();
+    return map;
+  }
+
+  /** \brief Whether all of it are numbers that points in single precision can follow. */
+  bool
+  isUsable() const;
+};
+
+/** \brief First \a b, then \a a: T_a_c of T_a_b and T_b_c. */
+inline Similarity
+operator*(const Similarity& a, const Similarity& b)
+{
+  return {a.scale * b.scale, a.rotation * b.rotation,
+          a.scale * (a.rotation * b.translation) + a.translation};
+}
+
+} // namespace kss
+} // namespace pcl

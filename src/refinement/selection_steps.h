@@ -1,0 +1,71 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * The numbers of the choice among minima, each beside its reason. Lengths are in root
+ * mean square radii of the target.
+ */
+
+#pragma once
+
+#include "refinement/refinement.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace kss {
+
+/** \brief What a pose costs. */
+enum class PoseCost {
+  DISTANCE, ///< the truncated mean of the distances both ways: leads from afar
+  OVERLAP   ///< the less of the clouds lies on each other, the more: tells right from
+            ///< wrong
+};
+
+/** \brief A step of the choice: poses are refined, and those that are distinct ranked.
+ */
+struct SelectionStep {
+  /** \brief Poses that are taken to it, the best ones. */
+  std::size_t most;
+  /** \brief Of them those whose overlap is at least that share of the best one's. */
+  double hope;
+  /** \brief Whether each pose is tried turned a little about each axis, too. */
+  bool turned;
+  /** \brief Whether probes are taken from all of the clouds, or from the simplified
+   * ones. */
+  bool on_clouds;
+  /** \brief How they are refined. */
+  Refinement::Effort effort;
+  /** \brief What ranks them. */
+  PoseCost cost;
+  /** \brief What a distance counts at most in that cost. */
+  double limit;
+  /** \brief Points that tell the cost. */
+  Eigen::Index cost_probes;
+  /** \brief Of poses closer together than this one is kept. */
+  double distinct;
+};
+
+/** \brief Poses that are listed in the end. */
+constexpr std::size_t most_alternatives = 5;
+
+/** \brief Points of each cloud whose correspondences decide in the end. */
+constexpr Eigen::Index most_probes = 2500;
+
+/** \brief The first steps, from as far as a candidate can be off.
+ * \param[in] reach of the candidates, see search_numbers::reachOf()
+ * \param[in] samples points of the simplified target
+ */
+std::vector<SelectionStep>
+stepsFromAfar(double reach, Eigen::Index samples);
+
+/** \brief The last steps, on the surfaces.
+ * \param[in] spacing of the points of the clouds
+ * \param[in] samples points of the simplified target
+ * \param[in] is_noisy whether heavy noise has been averaged away
+ */
+std::vector<SelectionStep>
+stepsOnSurfaces(double spacing, Eigen::Index samples, bool is_noisy);
+
+} // namespace kss
+} // namespace pcl
