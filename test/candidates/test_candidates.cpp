@@ -241,7 +241,7 @@ TEST(Candidates, AreAllRotationsScalesAndCentersOnce)
             expected *= similarity(Eigen::Quaterniond::Identity(), 1.0, -center);
           int found = 0;
           for (std::size_t i = 0; i < candidates.size(); ++i)
-            found += candidates.pose(i).isApprox(expected, 1e-12);
+            found += candidates.pose(i).matrix().isApprox(expected, 1e-12);
           EXPECT_EQ(1, found);
         }
   }
@@ -256,7 +256,8 @@ TEST(Candidates, BringTheirCentersTogether)
   for (const Eigen::Vector3d& center : centers.centers) {
     int on_origin = 0, from_origin = 0;
     for (std::size_t i = 0; i < of_source.size(); ++i) {
-      const Eigen::Affine3d source(of_source.pose(i)), target(of_target.pose(i));
+      const Eigen::Affine3d source(of_source.pose(i).matrix()),
+          target(of_target.pose(i).matrix());
       on_origin += (source * center).norm() < 1e-12;
       from_origin += (target * Eigen::Vector3d(0, 0, 0) - center).norm() < 1e-12;
     }
@@ -276,7 +277,7 @@ TEST(Candidates, HaveThePlacementsOfTheirPoses)
     const auto placements = candidates.placements(range.first, range.second);
     ASSERT_EQ(range.second, placements.size());
     for (std::size_t i = 0; i < placements.size(); ++i)
-      EXPECT_EQ(candidates.pose(range.first + i).topRows<3>().cast<float>(),
+      EXPECT_EQ(candidates.pose(range.first + i).placement(),
                 placements[i]);
   }
 }
@@ -292,7 +293,7 @@ TEST(Candidates, AreMinimaWhereNoNeighbourIsLower)
     const auto energies = randomEnergies(candidates.size(), 6);
     std::vector<Eigen::Matrix4d> poses;
     for (std::size_t i = 0; i < candidates.size(); ++i)
-      poses.push_back(candidates.pose(i));
+      poses.push_back(candidates.pose(i).matrix());
     const auto areNeighbours = [&](const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) {
       return std::abs(std::log(scaleIn(a) / scaleIn(b))) < std::log(1.3) &&
              (a - b).topRightCorner<3, 1>().cwiseAbs().maxCoeff() < 1.5 &&
@@ -375,7 +376,7 @@ TEST(Candidates, AreToldApartByCenterAndScaleToo)
         similarity(Eigen::Quaterniond::Identity(), scale, {x, 0.0, 0.0});
     int found = 0;
     for (std::size_t i = 0; i < candidates.size(); ++i)
-      if (candidates.pose(i).isApprox(pose, 1e-9)) {
+      if (candidates.pose(i).matrix().isApprox(pose, 1e-9)) {
         energies[i] = energy;
         ++found;
       }

@@ -7,7 +7,6 @@
 #include "geometry/pre_shape.h"
 #include "candidates/sweeps.h"
 
-#include <pcl/registration/kss/detail/similarity.h>
 
 #include <gtest/gtest.h>
 
@@ -45,7 +44,7 @@ scalesOf(const Sweep& sweep)
 {
   std::set<long> thousandths;
   for (std::size_t i = 0; i < sweep.candidates.size(); ++i)
-    thousandths.insert(std::lround(1000.0 * scaleOf(sweep.candidates.pose(i))));
+    thousandths.insert(std::lround(1000.0 * sweep.candidates.pose(i).scale));
   return thousandths;
 }
 
@@ -55,7 +54,7 @@ farthestShift(const Sweep& sweep)
   double farthest = 0.0;
   for (std::size_t i = 0; i < sweep.candidates.size(); ++i)
     farthest =
-        std::max(farthest, sweep.candidates.pose(i).topRightCorner<3, 1>().norm());
+        std::max(farthest, sweep.candidates.pose(i).translation.norm());
   return farthest;
 }
 
@@ -209,7 +208,7 @@ TEST_F(Sweeps, StayWithinTheScalesAskedFor)
       for (const Sweep& sweep : of(few(mode), range)) {
         ASSERT_GT(sweep.candidates.size(), 0u);
         for (std::size_t i = 0; i < sweep.candidates.size(); ++i) {
-          const double scale = scaleOf(sweep.candidates.pose(i));
+          const double scale = sweep.candidates.pose(i).scale;
           EXPECT_GE(scale, range.smallest * (1.0 - 1e-9));
           EXPECT_LE(scale, range.largest * (1.0 + 1e-9));
         }
@@ -241,7 +240,7 @@ TEST_F(Sweeps, HoldACandidateNearTheTruth)
   const PreShape whole = preShape(sampled(lump(), 900, 2));
   const PreShape rest = preShape(part(sampled(lump(), 900, 1), {1, 0, 0}, 0.6));
   const Eigen::Matrix4d truth =
-      toPreShapePose(Eigen::Matrix4d::Identity(), rest, whole);
+      (whole.T_cloud_shape().inverse() * rest.T_cloud_shape()).matrix();
   Settings settings;
   for (const Mode mode :
        {Mode::AUTOMATIC, Mode::PARTIAL_GLOBAL, Mode::PARTIAL_PARTIAL}) {
@@ -249,7 +248,7 @@ TEST_F(Sweeps, HoldACandidateNearTheTruth)
     double nearest = 10.0;
     for (const Sweep& sweep : of(settings, wide))
       for (std::size_t i = 0; i < sweep.candidates.size(); ++i)
-        nearest = std::min(nearest, (sweep.candidates.pose(i) - truth).norm());
+        nearest = std::min(nearest, (sweep.candidates.pose(i).matrix() - truth).norm());
     // half a diagonal of the grid of centres (0.31), a gap of the rotations (20
     // degrees: 0.5) and half a step of scale (0.2) at once
     EXPECT_LT(nearest, 0.65);

@@ -16,6 +16,7 @@ namespace {
 using namespace kss_test;
 using pcl::kss::DistinctPoses;
 using pcl::kss::PoseMetric;
+using pcl::kss::Similarity;
 
 Points
 centred(const Points& points)
@@ -59,11 +60,11 @@ TEST(PoseMetric, IsTheDistanceOfThePlacedPoints)
       const Eigen::Matrix4d b = randomSimilarity(2 * seed + 1);
       // what makes the factor of a flat cloud's scatter exist is a thousandth of its size
       const double tolerance = 1e-5 * (1.0 + apart(cloud, a, b)) + 1e-3 * size;
-      EXPECT_NEAR(apart(cloud, a, b), metric.distance(a, b), tolerance);
-      EXPECT_EQ(metric.distance(a, b), metric.distance(b, a));
-      EXPECT_EQ(0.0, metric.distance(a, a));
+      EXPECT_NEAR(apart(cloud, a, b), metric.distance(Similarity::of(a), Similarity::of(b)), tolerance);
+      EXPECT_EQ(metric.distance(Similarity::of(a), Similarity::of(b)), metric.distance(Similarity::of(b), Similarity::of(a)));
+      EXPECT_EQ(0.0, metric.distance(Similarity::of(a), Similarity::of(a)));
       const Eigen::Matrix4d c = besides(a, 0.02, seed);
-      EXPECT_NEAR(apart(cloud, a, c), metric.distance(a, c),
+      EXPECT_NEAR(apart(cloud, a, c), metric.distance(Similarity::of(a), Similarity::of(c)),
                   0.001 * apart(cloud, a, c) + 1e-3 * size * 0.1 + 1e-5);
     }
   }
@@ -76,7 +77,7 @@ TEST(PoseMetric, IsAlwaysThere)
   const Eigen::Matrix4d here = similarity(Eigen::Quaterniond::Identity(), 1.0, {0, 0, 0});
   const Eigen::Matrix4d there =
       similarity(Eigen::Quaterniond::Identity(), 2.0, {3, 4, 0});
-  EXPECT_NEAR(5.0, metric.distance(here, there), 1e-5);
+  EXPECT_NEAR(5.0, metric.distance(Similarity::of(here), Similarity::of(there)), 1e-5);
 }
 
 TEST(DistinctPoses, AreThoseThatNoneBeforeIsCloseTo)
@@ -94,14 +95,14 @@ TEST(DistinctPoses, AreThoseThatNoneBeforeIsCloseTo)
       // none is so near the limit that rounding decides
       const bool is_new =
           std::none_of(taken.begin(), taken.end(), [&](const Eigen::Matrix4d& other) {
-            return metric.distance(pose, other) < distance;
+            return metric.distance(Similarity::of(pose), Similarity::of(other)) < distance;
           });
-      ASSERT_EQ(is_new, distinct.take(pose)) << distance;
+      ASSERT_EQ(is_new, distinct.take(Similarity::of(pose))) << distance;
       if (is_new)
         taken.push_back(pose);
       ASSERT_EQ(taken.size(), distinct.size());
       if (distance > 0.0) {
-        ASSERT_FALSE(distinct.take(pose));
+        ASSERT_FALSE(distinct.take(Similarity::of(pose)));
       }
     }
     if (distance == 0.0) {

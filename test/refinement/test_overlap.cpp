@@ -24,7 +24,8 @@ overlapOf(const Points& source,
           const Points& target,
           const Eigen::Matrix4d& pose = identity)
 {
-  return overlapAt(NearestPoints(source, 1), NearestPoints(target, 1), pose);
+  return overlapAt(NearestPoints(source, 1), NearestPoints(target, 1),
+                   Similarity::of(pose));
 }
 
 TEST(Overlap, IsFullForACloudAndItself)
@@ -102,16 +103,16 @@ TEST(Overlap, IsToldBySomeOfThePointsAsByAll)
 {
   const Points a = part(sampled(lump(), 6000, 17), {1, 0, 0}, 0.6);
   const NearestPoints source(a, 1), target(sampled(lump(), 6000, 18), 1);
-  const Overlap all = overlapAt(source, target, identity);
+  const Overlap all = overlapAt(source, target, Similarity());
   for (const Eigen::Index most : {500, 1000, 3000}) {
-    const Overlap some = overlapAt(source, target, identity, most);
+    const Overlap some = overlapAt(source, target, Similarity(), most);
     EXPECT_NEAR(all.source, some.source, 0.02) << most;
     EXPECT_NEAR(all.target, some.target, 0.06) << most;
     EXPECT_NEAR(all.score, some.score, 0.08) << most;
   }
   // all where there are no more
   for (const Eigen::Index most : {6000, 100000})
-    EXPECT_EQ(all.score, overlapAt(source, target, identity, most).score);
+    EXPECT_EQ(all.score, overlapAt(source, target, Similarity(), most).score);
 }
 
 TEST(Overlap, CannotBeBoughtWithScale)

@@ -16,6 +16,7 @@ using namespace kss_test;
 using pcl::kss::NearestPoints;
 using pcl::kss::Refinement;
 using pcl::kss::ScaleRange;
+using pcl::kss::Similarity;
 
 constexpr ScaleRange any_scale{0.0, std::numeric_limits<double>::infinity()};
 constexpr ScaleRange known_scale{1.0, 1.0};
@@ -34,7 +35,8 @@ refined(const Points& source,
 {
   const NearestPoints all_source(source, 1), all_target(target, 1);
   return Refinement(source, target, all_source, all_target, scales)
-      .refine(start, effort);
+      .refine(Similarity::of(start), effort)
+      .matrix();
 }
 
 /** The scale of ICP with a least-squares fit of scale to one-sided nearest neighbours,

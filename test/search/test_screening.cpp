@@ -88,7 +88,7 @@ TEST_P(Screens, FindTheCandidatesOfTheLowestEnergies)
     ASSERT_GT(centers.centers.size(), 20u);
     std::vector<double> energies;
     for (std::size_t i = 0; i < candidates.size(); ++i)
-      energies.push_back(energyOf(source, target, candidates.pose(i), side,
+      energies.push_back(energyOf(source, target, candidates.pose(i).matrix(), side,
                                   settings_.search_points));
     for (const std::size_t many : {300u, 1500u}) {
       const auto found = screening.lowest(candidates, many);
@@ -99,7 +99,7 @@ TEST_P(Screens, FindTheCandidatesOfTheLowestEnergies)
       for (const double scale : scales_) {
         std::vector<double> all, chosen;
         for (std::size_t i = 0; i < candidates.size(); ++i)
-          if (std::abs(scaleIn(candidates.pose(i)) - scale) < 1e-6) {
+          if (std::abs(candidates.pose(i).scale - scale) < 1e-6) {
             all.push_back(energies[i]);
             if (distinct.count(i) > 0)
               chosen.push_back(energies[i]);
