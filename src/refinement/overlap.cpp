@@ -19,15 +19,15 @@ struct Share {
   double covered = 0.0, closeness = 0.0;
 };
 
-/** How much of \a from, placed, \a to covers. */
+/** How much of \a from, placed by \a placement, \a to covers; the spacing of \a from
+ * times \a scale is that of the placed points. */
 Share
 shareOf(const NearestPoints& from,
         const NearestPoints& to,
-        const Similarity& T_to_from,
+        const Eigen::Affine3f& placement,
+        float scale,
         Eigen::Index most)
 {
-  const Eigen::Affine3f placement = T_to_from.affine();
-  const auto scale = static_cast<float>(T_to_from.scale); // of the spacing, too
   Share share;
   const Eigen::Index size = from.points().cols(), count = std::min(most, size);
   for (Eigen::Index n = 0; n < count; ++n) {
@@ -53,8 +53,10 @@ overlapAt(const NearestPoints& source,
           const Similarity& T_target_source,
           Eigen::Index most)
 {
-  const Share forth = shareOf(source, target, T_target_source, most);
-  const Share back = shareOf(target, source, T_target_source.inverse(), most);
+  const Eigen::Affine3f placement = T_target_source.affine();
+  const auto scale = static_cast<float>(T_target_source.scale);
+  const Share forth = shareOf(source, target, placement, scale, most);
+  const Share back = shareOf(target, source, placement.inverse(), 1.0f / scale, most);
   return {forth.covered, back.covered, forth.closeness + back.closeness};
 }
 

@@ -249,8 +249,9 @@ Refinement::refine(const Similarity& initial, const Effort& effort) const
     const double fallen = std::min(1.0, static_cast<double>(iteration) / falling);
     const double reach =
         effort.widest * std::pow(effort.narrowest / effort.widest, fallen);
-    forth.find(pose.affine(), 1.0f);
-    back.find(pose.inverse().affine(), static_cast<float>(pose.scale));
+    const Eigen::Affine3f placement = pose.affine();
+    forth.find(placement, 1.0f);
+    back.find(placement.inverse(), static_cast<float>(pose.scale));
     Procrustes pairs;
     pairs.add(from_source, reach);
     pairs.add(from_target, reach);

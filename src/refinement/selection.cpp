@@ -155,11 +155,12 @@ Selection::truncatedMean(const Similarity& pose,
                          Eigen::Index points,
                          double limit) const
 {
+  const Eigen::Affine3f placement = pose.affine();
   return truncatedMeanOf(shapes_.source.simplified.points, *shapes_.target.all,
-                         pose.affine(), points, limit) +
+                         placement, points, limit) +
          pose.scale * truncatedMeanOf(shapes_.target.simplified.points,
-                                      *shapes_.source.all, pose.inverse().affine(),
-                                      points, limit / pose.scale);
+                                      *shapes_.source.all, placement.inverse(), points,
+                                      limit / pose.scale);
 }
 
 } // namespace kss
