@@ -32,6 +32,134 @@ scalesIn(const ScaleRange& range)
   return scales;
 }
 
+/** What the sweeps of a pair of clouds have in common. */
+class SweepMaker {
+public:
+  SweepMaker(const Settings& settings,
+             const Points& source,
+             const Points& target,
+             const ScaleRange& scales)
+  : settings_(settings)
+  , source_(source)
+  , target_(target)
+  , scales_(scales)
+  , rotations_(candidateRotations(settings))
+  {
+  }
+
+  /** Both clouds are complete: (e10). */
+  std::vector<Sweep>
+  global() const
+  {
+    return {{Candidates(rotations_, {scales_.clamp(1.0)}, ownCenter(), Role::TARGET),
+             {both}}};
+  }
+
+  /** The source is a part of the target, or the target of the source: (e13). */
+  std::vector<Sweep>
+  partOfWhole() const
+  {
+    const ScaleRange smaller{scales_.smallest, scales_.clamp(1.0)};
+    const ScaleRange larger{scales_.clamp(1.0), scales_.largest};
+    // Centres of the cloud that the energy is directed to suit the screening; the paper
+    // replaces the centre of the incomplete cloud.
+    if (settings_.center_set == CenterSet::PAPER)
+      return {onSource(smaller, of_a_part, {fromSource()}),
+              onTarget(larger, of_a_part, {fromTarget()})};
+    return {onTarget(smaller, of_a_part, {fromSource()}),
+            onSource(larger, of_a_part, {fromTarget()})};
+  }
+
+  /** Both clouds lack parts.
+   * \param[in] or_a_part whether one of them may be complete nevertheless
+   */
+  std::vector<Sweep>
+  twoParts(bool or_a_part) const
+  {
+    // Unknown scales make the search so much longer that one cloud is then expected to
+    // be nearly complete, if it may be.
+    CenterGrid on_source =
+        scales_.smallest == scales_.largest || !or_a_part ? of_two_parts : of_a_part;
+    CenterGrid on_target = on_source;
+    // the larger cloud sets how far its centre can be away
+    const double ratio = rootMeanSquareRadius(source_, Eigen::Vector3f::Zero()) /
+                         rootMeanSquareRadius(target_, Eigen::Vector3f::Zero());
+    on_target.reach *= std::max(1.0, ratio);
+    on_source.reach *= std::max(1.0, 1.0 / ratio);
+    // A part is smaller than the whole, its pre-shape too large: what is turned upon the
+    // other cloud has to shrink, and one step more if the other is a part, too.
+    const ScaleRange shrunk{scales_.smallest, scales_.clamp(scale_step)};
+    const ScaleRange grown{scales_.clamp(1.0 / scale_step), scales_.largest};
+    if (!or_a_part)
+      return {onTarget(shrunk, on_target, {both}), onSource(grown, on_source, {both})};
+    return {onTarget(shrunk, on_target, {both, fromSource()}),
+            onSource(grown, on_source, {both, fromTarget()})};
+  }
+
+private:
+  static constexpr Weights both{1.0f, 1.0f};
+
+  float
+  other() const
+  {
+    return settings_.energy == Energy::HAUSDORFF ? 0.0f : neutral;
+  }
+
+  Weights
+  fromSource() const
+  {
+    return {1.0f, other()};
+  }
+
+  Weights
+  fromTarget() const
+  {
+    return {other(), 1.0f};
+  }
+
+  Sweep
+  onSource(const ScaleRange& range,
+           const CenterGrid& centers,
+           const std::vector<Weights>& energies) const
+  {
+    return {Candidates(rotations_, scalesOf(range), centersOf(source_, centers),
+                       Role::SOURCE),
+            energies};
+  }
+
+  Sweep
+  onTarget(const ScaleRange& range,
+           const CenterGrid& centers,
+           const std::vector<Weights>& energies) const
+  {
+    return {Candidates(rotations_, scalesOf(range), centersOf(target_, centers),
+                       Role::TARGET),
+            energies};
+  }
+
+  CandidateCenters
+  centersOf(const Points& cloud, const CenterGrid& centers) const
+  {
+    return settings_.center_set == CenterSet::PAPER
+               ? paperCenters(cloud)
+               : spreadCenters(cloud, centers.reach, centers.step);
+  }
+
+  /** The paper knows no scale but that of the pre-shapes. */
+  std::vector<double>
+  scalesOf(const ScaleRange& range) const
+  {
+    return settings_.center_set == CenterSet::PAPER
+               ? std::vector<double>{scales_.clamp(1.0)}
+               : scalesIn(range);
+  }
+
+  const Settings& settings_;
+  const Points &source_, &target_;
+  const ScaleRange& scales_;
+  std::shared_ptr<const CandidateRotations> rotations_;
+};
+
 } // namespace
 
 std::vector<Sweep>
@@ -40,71 +168,17 @@ sweepsOf(const Settings& settings,
          const Points& target,
          const ScaleRange& scales)
 {
-  const std::shared_ptr<const CandidateRotations> rotations =
-      candidateRotations(settings);
-  const float other = settings.energy == Energy::HAUSDORFF ? 0.0f : neutral;
-  const Weights both{1.0f, 1.0f}, from_source{1.0f, other}, from_target{other, 1.0f};
-  const auto centersOf = [&](const Points& cloud, const CenterGrid& centers) {
-    return settings.center_set == CenterSet::PAPER
-               ? paperCenters(cloud)
-               : spreadCenters(cloud, centers.reach, centers.step);
-  };
-  // the paper knows no scale but that of the pre-shapes
-  const auto scalesOf = [&](const ScaleRange& range) {
-    return settings.center_set == CenterSet::PAPER
-               ? std::vector<double>{scales.clamp(1.0)}
-               : scalesIn(range);
-  };
-  const ScaleRange smaller{scales.smallest, scales.clamp(1.0)};
-  const ScaleRange larger{scales.clamp(1.0), scales.largest};
-
-  // Centres of the cloud that the energy is directed to suit the screening; the paper
-  // replaces the centre of the incomplete cloud.
-  const auto onSource = [&](const ScaleRange& range, const CenterGrid& centers,
-                            const std::vector<Weights>& energies) -> Sweep {
-    return {Candidates(rotations, scalesOf(range), centersOf(source, centers),
-                       Role::SOURCE),
-            energies};
-  };
-  const auto onTarget = [&](const ScaleRange& range, const CenterGrid& centers,
-                            const std::vector<Weights>& energies) -> Sweep {
-    return {Candidates(rotations, scalesOf(range), centersOf(target, centers),
-                       Role::TARGET),
-            energies};
-  };
-
+  const SweepMaker sweeps(settings, source, target, scales);
   switch (settings.mode) {
   case Mode::GLOBAL_GLOBAL:
-    return {{Candidates(rotations, {scales.clamp(1.0)}, ownCenter(), Role::TARGET),
-             {both}}};
+    return sweeps.global();
   case Mode::PARTIAL_GLOBAL:
-    if (settings.center_set == CenterSet::PAPER)
-      return {onSource(smaller, of_a_part, {from_source}),
-              onTarget(larger, of_a_part, {from_target})};
-    return {onTarget(smaller, of_a_part, {from_source}),
-            onSource(larger, of_a_part, {from_target})};
+    return sweeps.partOfWhole();
+  case Mode::PARTIAL_PARTIAL:
+    return sweeps.twoParts(false);
   default:
-    break;
+    return sweeps.twoParts(true);
   }
-  // Unknown scales make the search so much longer that AUTOMATIC then expects one cloud
-  // to be nearly complete. The larger cloud sets how far its centre can be away.
-  const CenterGrid centers =
-      scales.smallest == scales.largest || settings.mode == Mode::PARTIAL_PARTIAL
-          ? of_two_parts
-          : of_a_part;
-  const double ratio = rootMeanSquareRadius(source, Eigen::Vector3f::Zero()) /
-                       rootMeanSquareRadius(target, Eigen::Vector3f::Zero());
-  CenterGrid on_source = centers, on_target = centers;
-  on_target.reach *= std::max(1.0, ratio);
-  on_source.reach *= std::max(1.0, 1.0 / ratio);
-  // A part is smaller than the whole, its pre-shape too large: what is turned upon the
-  // other cloud has to shrink, and one step more if the other is a part, too.
-  const ScaleRange shrunk{scales.smallest, scales.clamp(scale_step)};
-  const ScaleRange grown{scales.clamp(1.0 / scale_step), scales.largest};
-  if (settings.mode == Mode::PARTIAL_PARTIAL)
-    return {onTarget(shrunk, on_target, {both}), onSource(grown, on_source, {both})};
-  return {onTarget(shrunk, on_target, {both, from_source}),
-          onSource(grown, on_source, {both, from_target})};
 }
 
 } // namespace kss

@@ -28,13 +28,13 @@ keyOf(const Cell& cell)
 /** \brief Cells of one edge over a cloud's bounding box, numbered from 2: those around
  * them, two away, then have numbers from 0.
  */
-class Cells {
+class CellLattice {
 public:
   /** \brief The most cells along an axis: they have 21 bits. Those beyond fall
    * together. */
   static constexpr int most = 1 << 20;
 
-  Cells(const Points& cloud, float edge)
+  CellLattice(const Points& cloud, float edge)
   : lower_(cloud.rowwise().minCoeff())
   , edge_(edge)
   {
@@ -162,7 +162,7 @@ public:
       order_[next[cell_of[i]]++] = static_cast<int>(i);
   }
 
-  const Cells&
+  const CellLattice&
   cells() const
   {
     return cells_;
@@ -198,7 +198,7 @@ public:
   }
 
 private:
-  Cells cells_;
+  CellLattice cells_;
   KeyTable table_;
   std::vector<Cell> occupied_;
   std::vector<int> begin_, order_;

@@ -35,53 +35,54 @@ DistanceField::DistanceField(const Points& points, float cell, float margin)
   nearest_.assign(numberOfCells(size_), -1);
   distances_.assign(nearest_.size(), std::numeric_limits<float>::max());
 
-  // Squared distances first. Every cell that holds a point knows it; then each cell
-  // asks the one before it, along all axes, to and fro, twice (after P.-E. Danielsson,
-  // "Euclidean Distance Mapping", 1980): a cell that misses its nearest point has
-  // another one hardly farther away. From a point's cell the first round alone reaches
-  // every cell by steps along x, then y, then z, each of which adds an edge at most.
-  const auto offer = [&](std::size_t index, const Eigen::Vector3f& center, int point) {
-    const float squared = (points.col(point) - center).squaredNorm();
-    if (squared < distances_[index]) {
-      distances_[index] = squared;
-      nearest_[index] = point;
-    }
-  };
-  const auto centerOf = [&](int x, int y, int z) -> Eigen::Vector3f {
-    return lower_ + cell * Eigen::Vector3f(x + 0.5f, y + 0.5f, z + 0.5f);
-  };
-  for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    const std::size_t index = cellOf(points.col(i));
-    const int x = index % size_.x(), y = index / size_.x() % size_.y(),
-              z = index / size_.x() / size_.y();
-    offer(index, centerOf(x, y, z), i);
-  }
-  const auto ask = [&](std::ptrdiff_t index, std::ptrdiff_t neighbour) {
-    const int point = nearest_[neighbour];
-    if (point < 0 || point == nearest_[index])
-      return;
-    const int x = static_cast<int>(index % size_.x());
-    const int y = static_cast<int>(index / size_.x() % size_.y());
-    const int z = static_cast<int>(index / size_.x() / size_.y());
-    offer(index, centerOf(x, y, z), point);
-  };
-  const auto cells = static_cast<std::ptrdiff_t>(nearest_.size());
-  for (int round = 0; round < 2; ++round) {
-    std::ptrdiff_t stride = 1; // from cell to cell along the axis
-    for (int axis = 0; axis < 3; ++axis) {
-      throwIfStopped();
-      const std::ptrdiff_t block = stride * size_[axis];
-      for (std::ptrdiff_t begin = 0; begin < cells; begin += block) {
-        for (std::ptrdiff_t i = begin + stride; i < begin + block; ++i)
-          ask(i, i - stride);
-        for (std::ptrdiff_t i = begin + block - stride - 1; i >= begin; --i)
-          ask(i, i + stride);
-      }
-      stride = block;
-    }
-  }
+  // squared distances first
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    offer(points, cell, cellOf(points.col(i)), static_cast<int>(i));
+  for (int round = 0; round < 2; ++round)
+    spread(points, cell);
   for (float& distance : distances_)
     distance = std::sqrt(distance);
+}
+
+void
+DistanceField::offer(const Points& points, float edge, std::size_t cell, int point)
+{
+  const Eigen::Vector3f at(cell % size_.x(), cell / size_.x() % size_.y(),
+                           cell / size_.x() / size_.y());
+  const Eigen::Vector3f center = lower_ + edge * (at.array() + 0.5f).matrix();
+  const float squared = (points.col(point) - center).squaredNorm();
+  if (squared < distances_[cell]) {
+    distances_[cell] = squared;
+    nearest_[cell] = point;
+  }
+}
+
+// Every cell that holds a point knows it; then each cell asks the one before it, along
+// all axes, to and fro, twice (after P.-E. Danielsson, "Euclidean Distance Mapping",
+// 1980): a cell that misses its nearest point has another one hardly farther away. From
+// a point's cell the first round alone reaches every cell by steps along x, then y, then
+// z, each of which adds an edge at most.
+void
+DistanceField::spread(const Points& points, float edge)
+{
+  const auto ask = [&](std::ptrdiff_t cell, std::ptrdiff_t neighbour) {
+    const int point = nearest_[neighbour];
+    if (point >= 0 && point != nearest_[cell])
+      offer(points, edge, cell, point);
+  };
+  const auto cells = static_cast<std::ptrdiff_t>(nearest_.size());
+  std::ptrdiff_t stride = 1; // from cell to cell along the axis
+  for (int axis = 0; axis < 3; ++axis) {
+    throwIfStopped();
+    const std::ptrdiff_t block = stride * size_[axis];
+    for (std::ptrdiff_t begin = 0; begin < cells; begin += block) {
+      for (std::ptrdiff_t i = begin + stride; i < begin + block; ++i)
+        ask(i, i - stride);
+      for (std::ptrdiff_t i = begin + block - stride - 1; i >= begin; --i)
+        ask(i, i + stride);
+    }
+    stride = block;
+  }
 }
 
 } // namespace kss

@@ -75,6 +75,15 @@ public:
   }
 
 private:
+  /** \brief Take a point for a cell's where it is nearer to its centre than the one that
+   * the cell knows. */
+  void
+  offer(const Points& points, float edge, std::size_t cell, int point);
+
+  /** \brief Have every cell learn of its neighbours' points. */
+  void
+  spread(const Points& points, float edge);
+
   Eigen::Vector3f lower_;
   float inverse_edge_;
   Eigen::Vector3i size_;

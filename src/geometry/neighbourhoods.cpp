@@ -37,8 +37,8 @@ edgeFor(const Points& points, float held)
   const auto size = static_cast<float>(points.cols());
   float edge = longest * std::sqrt(held / size);
   for (int round = 0; round < 4; ++round) {
-    edge = std::max(edge, longest / Cells::most);
-    const Cells cells(points, edge);
+    edge = std::max(edge, longest / CellLattice::most);
+    const CellLattice cells(points, edge);
     KeyTable table(points.cols() / 4);
     for (Eigen::Index i = 0; i < points.cols(); ++i)
       table.add(keyOf(cells.of(points.col(i))));

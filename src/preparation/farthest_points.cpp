@@ -66,7 +66,7 @@ inFarthestOrder(const Points& cloud, std::size_t most)
   FarthestOrder order;
   const float longest = longestEdge(cloud);
   const float edge = longest > 0.0f ? longest * std::sqrt(block_points / size) : 1.0f;
-  const CellGrid grid(cloud, std::max(edge, longest / Cells::most));
+  const CellGrid grid(cloud, std::max(edge, longest / CellLattice::most));
   Eigen::MatrixX3f sorted(size, 3);
   for (std::size_t i = 0; i < size; ++i)
     sorted.row(i) = cloud.col(grid.order()[i]).transpose();

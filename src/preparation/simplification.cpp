@@ -183,7 +183,7 @@ atRandom(std::size_t points, std::size_t samples)
 std::vector<int>
 onePerCell(const Points& cloud, float edge, std::size_t expected, int stride)
 {
-  const Cells cells(cloud, edge);
+  const CellLattice cells(cloud, edge);
   KeyTable table(expected);
   std::vector<int> kept;
   for (int i = 0, n = 0; i < cloud.cols(); i += stride, ++n) {
@@ -211,7 +211,7 @@ onePerCell(const Points& cloud, std::size_t least, std::size_t most)
   float edge = longest / std::sqrt(aim);
   std::vector<int> kept;
   for (int round = 0; round < 8; ++round) {
-    edge = std::max(edge, longest / Cells::most);
+    edge = std::max(edge, longest / CellLattice::most);
     kept = onePerCell(cloud, edge, most, stride);
     if (kept.size() >= least && kept.size() <= most)
       break;
