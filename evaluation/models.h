@@ -28,7 +28,8 @@ struct ModelFolder {
 };
 
 /** \brief Read every file of a folder and of the folders in it: OFF, PLY, OBJ, STL,
- * PCD. \throws std::runtime_error where the folder cannot be read
+ * PCD.
+ * \throws std::runtime_error where the folder cannot be read
  */
 ModelFolder
 modelsOf(const std::string& folder);

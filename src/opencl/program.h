@@ -151,9 +151,11 @@ OpenCLProgram::call(const Work& work)
 
 /** \brief The programs for the devices that a name stands for, at least one; built at
  * the first call and kept for later ones until one is lost. A build that has failed is
- * not tried again. \param[in] name part of a platform's name: all its devices; part of
- * a device's name: the first such device; "auto": the first GPU, else the first device
- * \param[in] threads compute units to use of a CPU device; 0: all \throws DeviceError
+ * not tried again.
+ * \param[in] name part of a platform's name: all its devices; part of a device's name:
+ * the first such device; "auto": the first GPU, else the first device
+ * \param[in] threads compute units to use of a CPU device; 0: all
+ * \throws DeviceError
  */
 std::vector<std::shared_ptr<OpenCLProgram>>
 openCLPrograms(const std::string& name, unsigned int threads);

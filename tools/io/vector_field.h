@@ -33,7 +33,9 @@ public:
   bool
   isFloatingPoint() const;
 
-  /** \brief Read the vector. \param[in] point the first byte of the point */
+  /** \brief Read the vector.
+   * \param[in] point the first byte of the point
+   */
   Eigen::Vector3d
   get(const std::uint8_t* point) const;
 

@@ -411,8 +411,8 @@ public:
 
   /** \brief Set how long align() may take. It then ends with the best pose so far, not
    * converged, within some two tenths of a second; only the tree that PCL builds of a
-   * new target is not interrupted (0.4 s for a million points). \param[in] seconds of
-   * wall time; 0 (default): as long as it takes
+   * new target is not interrupted (0.4 s for a million points).
+   * \param[in] seconds of wall time; 0 (default): as long as it takes
    */
   void
   setTimeLimit(double seconds);
