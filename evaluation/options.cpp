@@ -57,8 +57,8 @@ visibleOptions()
   general.add_options()
     ("out", po::value<std::string>()->value_name("DIR"),
      "folder for all results; a run that was stopped goes on there")
-    ("full", "all models, fifteen times the time limit, three models at all sizes, rather "
-     "than what is done within half an hour on two cores")
+    ("full", "all models, fifteen times the time limit, three models at all sizes, "
+     "rather than what is done within half an hour on two cores")
     ("models", po::value<long long>()->value_name("N"),
      "evaluate so many of the models, evenly chosen (default 4; 0: all); more of them "
      "add to what there is")

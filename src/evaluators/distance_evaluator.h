@@ -60,8 +60,8 @@ makeOpenCLPairDistances(const std::string& device, unsigned int threads);
  * A distance is that of the centre of the field's cell that a point falls into, within
  * the field, whose margin is twice as wide as the limit. It is too short by half a
  * diagonal of a cell at most. It is seldom too long by more, since few cells miss their
- * nearest point by much (see DistanceField); for sure it is no longer than sqrt(3) times
- * the true one and 2.3 diagonals.
+ * nearest point by much (see DistanceField); for sure it is no longer than sqrt(3)
+ * times the true one and 2.3 diagonals.
  * \param[in] threads 0: as many as there are cores
  * \param[in] probes points of each cloud, the first ones, whose distances are looked up
  */

@@ -14,8 +14,8 @@ namespace kss {
 
 /** \brief A similarity: x -> scale * rotation * x + translation.
  *
- * Variables are named by their frames: T_target_source takes coordinates in the frame of
- * the source to those in the frame of the target, and T_a_b * T_b_c is T_a_c.
+ * Variables are named by their frames: T_target_source takes coordinates in the frame
+ * of the source to those in the frame of the target, and T_a_b * T_b_c is T_a_c.
  */
 struct Similarity {
   double scale = 1.0;
@@ -65,7 +65,7 @@ struct Similarity {
     return map;
   }
 
-  /** \brief Whether all of it are numbers that points in single precision can follow. */
+  /** \brief Whether all of it is numbers that points in single precision follow. */
   bool
   isUsable() const;
 };

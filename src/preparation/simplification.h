@@ -23,7 +23,8 @@ constexpr std::size_t fewest_samples = 64;
  * fewer have to do: no choice among its points could be even.
  * \param[in] order the points asked for
  * \param[in] neighbourhoods of the cloud
- * \return no more than were asked for, and no less than the smaller of that and \ref fewest_samples
+ * \return no more than were asked for, and no less than the smaller of that and
+ * \ref fewest_samples
  */
 std::size_t
 evenSampleSize(const FarthestOrder& order, const Neighbourhoods& neighbourhoods);

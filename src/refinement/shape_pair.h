@@ -23,7 +23,7 @@ namespace kss {
 struct Shape {
   /** \brief Simplified, for the search. */
   PreShape simplified;
-  /** \brief As it is, clean, and no larger than needed, for refinement and judgement. */
+  /** \brief As it is, clean, no larger than needed, for refinement and judgement. */
   std::shared_ptr<const NearestPoints> all;
   /** \brief What tells whether it determines a pose, in the units of the cloud. */
   CloudSize size;

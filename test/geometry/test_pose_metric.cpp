@@ -58,7 +58,7 @@ TEST(PoseMetric, IsTheDistanceOfThePlacedPoints)
     for (unsigned int seed = 0; seed < 20; ++seed) {
       const Eigen::Matrix4d a = randomSimilarity(2 * seed);
       const Eigen::Matrix4d b = randomSimilarity(2 * seed + 1);
-      // what makes the factor of a flat cloud's scatter exist is a thousandth of its size
+      // what makes a flat cloud's scatter have a factor is a thousandth of its size
       const double tolerance = 1e-5 * (1.0 + apart(cloud, a, b)) + 1e-3 * size;
       EXPECT_NEAR(apart(cloud, a, b), metric.distance(Similarity::of(a), Similarity::of(b)), tolerance);
       EXPECT_EQ(metric.distance(Similarity::of(a), Similarity::of(b)), metric.distance(Similarity::of(b), Similarity::of(a)));

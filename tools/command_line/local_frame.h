@@ -8,8 +8,8 @@
 
 namespace tool {
 
-/** \brief The origin of a frame amid a cloud, in which floats are as fine as can be: the
- * median, which points far away do not move.
+/** \brief The origin of a frame amid a cloud, in which floats are as fine as can be:
+ * the median, which points far away do not move.
  * \param[in] points at least one of them finite
  * \throws std::invalid_argument where single precision cannot hold the cloud
  */

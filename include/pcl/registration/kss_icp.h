@@ -633,8 +633,8 @@ private:
          const std::optional<Eigen::Matrix4d>& guess,
          std::vector<Contender>& contenders);
 
-  /** \brief IterativeClosestPoint on the clouds themselves: T of (e11). It alone borrows
-   * the members of the base class.
+  /** \brief IterativeClosestPoint on the clouds themselves: T of (e11). It alone
+   * borrows the members of the base class.
    * \param[in] source the points that take part
    * \param[in] contender where to start
    */
