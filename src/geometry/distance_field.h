@@ -16,8 +16,8 @@ namespace kss {
  *
  * Hardly ever is another point nearer by as much as an edge of a cell, though where a
  * cell holds several points, its neighbours learn of one of them alone. For sure, with
- * h half a diagonal of a cell: the point is no farther from the centre than sqrt(3) times
- * the distance of the nearest one and (1 + sqrt(3)) h.
+ * h half a diagonal of a cell: the point is no farther from the centre than sqrt(3)
+ * times the distance of the nearest one and (1 + sqrt(3)) h.
  */
 class DistanceField {
 public:
