@@ -90,7 +90,9 @@ class PCL_KSS_ICP_EXPORT KSSICP : public IterativeClosestPoint<PointSource, Poin
   using Base = IterativeClosestPoint<PointSource, PointTarget, Scalar>;
 
 public:
+  /** \brief What PCL's programs hold objects by. */
   using Ptr = shared_ptr<KSSICP<PointSource, PointTarget, Scalar>>;
+  /** \brief The same to objects that do not change. */
   using ConstPtr = shared_ptr<const KSSICP<PointSource, PointTarget, Scalar>>;
 
   using typename Base::Matrix4;

@@ -49,8 +49,8 @@ private:
  * with them.
  */
 struct Aligned {
-  Alternatives alternatives;
-  PoseScorer scorer;
+  Alternatives alternatives; ///< by falling score
+  PoseScorer scorer;         ///< of the same two clouds
 };
 
 /** \brief The alignment stage of KSS-ICP: from two clouds to the distinct poses at

@@ -25,13 +25,14 @@ enum class FailureCause {
 
 /** \brief A cause, and one sentence on it; empty where there is none. */
 struct Failure {
-  FailureCause cause = FailureCause::NONE;
-  std::string reason;
+  FailureCause cause = FailureCause::NONE; ///< what kind of failure it is
+  std::string reason;                      ///< one sentence
 };
 
 /** \brief A failure that is thrown. */
 class PCL_KSS_ICP_EXPORT RegistrationError : public std::runtime_error {
 public:
+  /** \brief A cause, and one sentence on it, which is what() says. */
   RegistrationError(FailureCause cause, const std::string& reason)
   : std::runtime_error(reason)
   , cause_(cause)

@@ -42,8 +42,8 @@ using Alternatives = std::vector<Alternative>;
 
 /** \brief How many points of two clouds are too far away from the others to be held. */
 struct FarPoints {
-  std::size_t source = 0;
-  std::size_t target = 0;
+  std::size_t source = 0; ///< of the source
+  std::size_t target = 0; ///< of the target
 };
 
 /** \brief How sure it is that two clouds show one object at a pose, in [0, 1]: the

@@ -15,8 +15,8 @@ namespace kss {
 
 /** \brief Wall time of one stage. */
 struct StageSeconds {
-  std::string stage;
-  double seconds;
+  std::string stage; ///< its name
+  double seconds;    ///< how long it took
 };
 
 /** \brief The stages of a registration, one after the other: tells who wants to know
