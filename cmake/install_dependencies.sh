@@ -8,7 +8,8 @@ packages=(
   ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd
   libboost-program-options-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev clang libclang-rt-dev
-  python3-matplotlib python3-numpy)
+  python3-matplotlib python3-numpy
+  clang-format-14 doxygen)
 
 missing=()
 for package in "${packages[@]}"; do

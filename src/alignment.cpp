@@ -57,7 +57,7 @@ refined(const std::vector<Minimum>& minima,
   const Selection selection(shapes, reach, settings.threads);
   const Minimum& initial = minima.front();
   if (settings.additional_process_threshold > 0.0) {
-    const auto judged = selection.best({initial.pose}, [](double) {});
+    auto judged = selection.best({initial.pose}, [](double) {});
     if (isGoodEnough(judged.front(), initial.weights, search, settings))
       return judged;
   }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and tests.
-#   test/run.sh [-DVARIABLE=VALUE ...]        everything, in build/
+#   test/run.sh [-DVARIABLE=VALUE ...]        everything, in build/, warnings being errors
 #   test/run.sh --preset NAME [--short] [-DVARIABLE=VALUE ...]
 #       the fast tests, as a preset of CMakePresets.json has them; --short: without those
 #       that take minutes under sanitizers
@@ -21,7 +21,8 @@ if [ "${1:-}" = --preset ]; then
   ctest --preset "$preset" --parallel 2 "${without[@]}"
 else
   cmake --fresh -S . -B build -G Ninja -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
-    -DPCL_KSS_ICP_BUILD_BENCHMARKS=ON "$@"
-  cmake --build build
+    -DPCL_KSS_ICP_BUILD_BENCHMARKS=ON -DCMAKE_COMPILE_WARNING_AS_ERROR=ON "$@"
+  ctest --test-dir build --output-on-failure --no-tests=error -L text # in a second
+  cmake --build build --target all docs
   ctest --test-dir build --output-on-failure --no-tests=error
 fi

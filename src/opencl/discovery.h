@@ -32,7 +32,7 @@ findDevices(const std::string& wanted);
  * \throws DeviceError
  */
 cl::Device
-partOf(const NamedDevice& device, unsigned int threads);
+partOf(const NamedDevice& whole, unsigned int threads);
 
 } // namespace kss
 } // namespace pcl

@@ -22,7 +22,7 @@ folderOfPoCL()
     const char* value = std::getenv(name);
     return value ? value : "";
   };
-  if (const auto folder = variable("POCL_CACHE_DIR"); !folder.empty())
+  if (auto folder = variable("POCL_CACHE_DIR"); !folder.empty())
     return folder;
   if (const auto cache = variable("XDG_CACHE_HOME"); !cache.empty())
     return cache / "pocl" / "kcache";

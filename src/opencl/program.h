@@ -31,7 +31,7 @@ public:
   cl::Buffer
   upload(const Value* values, std::size_t size)
   {
-    const cl::Buffer buffer = allocate<Value>(size);
+    cl::Buffer buffer = allocate<Value>(size);
     call([&] {
       queue_.enqueueWriteBuffer(buffer, CL_TRUE, 0, size * sizeof(Value), values);
     });
