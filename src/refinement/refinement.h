@@ -59,7 +59,7 @@ public:
 
   /** \brief Refine a pose; safe to call from several threads at once. */
   Similarity
-  refine(const Similarity& T_target_source, const Effort& effort) const;
+  refine(const Similarity& initial, const Effort& effort) const;
 
 private:
   const Points& source_probes_;
