@@ -86,8 +86,8 @@ public:
                          rootMeanSquareRadius(target_, Eigen::Vector3f::Zero());
     on_target.reach *= std::max(1.0, ratio);
     on_source.reach *= std::max(1.0, 1.0 / ratio);
-    // A part is smaller than the whole, its pre-shape too large: what is turned upon the
-    // other cloud has to shrink, and one step more if the other is a part, too.
+    // A part is smaller than the whole, its pre-shape too large: what is turned upon
+    // the other cloud has to shrink, and one step more if the other is a part, too.
     const ScaleRange shrunk{scales_.smallest, scales_.clamp(scale_step)};
     const ScaleRange grown{scales_.clamp(1.0 / scale_step), scales_.largest};
     if (!or_a_part)

@@ -60,8 +60,8 @@ DistanceField::offer(const Points& points, float edge, std::size_t cell, int poi
 // Every cell that holds a point knows it; then each cell asks the one before it, along
 // all axes, to and fro, twice (after P.-E. Danielsson, "Euclidean Distance Mapping",
 // 1980): a cell that misses its nearest point has another one hardly farther away. From
-// a point's cell the first round alone reaches every cell by steps along x, then y, then
-// z, each of which adds an edge at most.
+// a point's cell the first round alone reaches every cell by steps along x, then y,
+// then z, each of which adds an edge at most.
 void
 DistanceField::spread(const Points& points, float edge)
 {

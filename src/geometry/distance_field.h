@@ -75,8 +75,8 @@ public:
   }
 
 private:
-  /** \brief Take a point for a cell's where it is nearer to its centre than the one that
-   * the cell knows. */
+  /** \brief Take a point for a cell's where it is nearer to its centre than the one
+   * that the cell knows. */
   void
   offer(const Points& points, float edge, std::size_t cell, int point);
 
