@@ -330,9 +330,10 @@ TEST(ShiftLattice, IsBoundedWhereOneCloudIsMuchLargerThanTheOther)
       EXPECT_LT(*row, ShiftLattice::most_nodes);
       // each centre is a whole number of nodes from the next
       for (int axis = 0; axis < 3; ++axis)
-        if (centers.steps[axis] > 1)
+        if (centers.steps[axis] > 1) {
           EXPECT_NEAR(centers.spacing[axis] / lattice.every()[axis],
                       lattice.step()[axis], 1e-6 * lattice.step()[axis]);
+        }
     }
 }
 
