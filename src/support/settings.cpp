@@ -54,12 +54,11 @@ checked(const Settings& asked, const Settings& before)
   CheckedSettings result{asked, {}};
   setting::forEach([&](const auto& row) {
     const auto& value = asked.*row.member;
-    if (isRight(row, value))
+    if (row.holds(value))
       return;
     result.settings.*row.member = before.*row.member;
     result.refusals.push_back(std::string(row.name) + ' ' +
-                              valueText(row, value, setting::For::PROGRAM) +
-                              " is refused: " +
+                              valueText(row, value, setting::For::PROGRAM) + ": " +
                               remedy(row, setting::For::PROGRAM) + '.');
   });
   if (!(asked.smallest_scale >= 0.0 && asked.smallest_scale <= asked.largest_scale &&
@@ -67,10 +66,9 @@ checked(const Settings& asked, const Settings& before)
     result.settings.smallest_scale = before.smallest_scale;
     result.settings.largest_scale = before.largest_scale;
     result.refusals.push_back(
-        "The scales from " + setting::numberText(asked.smallest_scale) + " to " +
-        setting::numberText(asked.largest_scale) +
-        " are refused: the smallest has to be at least 0 and no more than the largest, "
-        "which has to be more than 0.");
+        "smallest_scale " + setting::numberText(asked.smallest_scale) +
+        " and largest_scale " + setting::numberText(asked.largest_scale) +
+        ": use a smallest of at least 0, and a largest above 0 and no less.");
   }
   return result;
 }

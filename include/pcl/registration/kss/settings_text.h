@@ -14,16 +14,18 @@ namespace pcl {
 namespace kss {
 namespace setting {
 
-/** \brief Who is told: somebody who writes a program, or a command line. */
+/** \brief Who is told: those who write a program, or a command line. */
 enum class For { PROGRAM, COMMAND_LINE };
 
+/** \brief The unit of a number, as it is told to people. */
 template <typename Value>
 const Unit&
-unitOf(const Number<Value>& row, For whom)
+unitOf(const Range<Value>& range, For whom)
 {
-  return whom == For::PROGRAM ? row.unit : row.typed;
+  return whom == For::PROGRAM ? range.unit : range.typed;
 }
 
+/** \brief A number with as many digits as people type. */
 inline std::string
 numberText(double number)
 {
@@ -33,15 +35,15 @@ numberText(double number)
   return text.str();
 }
 
-/** \brief The value of a setting. */
+/** \name The value of a setting in words. */
+/** \{ */
 template <typename Value>
 std::string
-valueText(const Number<Value>& row, Value value, For whom)
+valueText(const Range<Value>& range, Value value, For whom)
 {
-  return numberText(value / unitOf(row, whom).size);
+  return numberText(value / unitOf(range, whom).size);
 }
 
-/** \copydoc valueText */
 template <typename Value, int size>
 std::string
 valueText(const Choice<Value, size>& row, Value value, For)
@@ -52,53 +54,44 @@ valueText(const Choice<Value, size>& row, Value value, For)
   return "internal";
 }
 
-/** \copydoc valueText */
 inline std::string
 valueText(const Flag&, bool value, For)
 {
   return value ? "true" : "false";
 }
 
-/** \copydoc valueText */
 inline std::string
 valueText(const Text&, const std::string& value, For)
 {
   return value.empty() ? "''" : value;
 }
+/** \} */
 
-/** \brief The bounds of a number with its unit: "20 to 1000000 points". */
+/** \brief The bounds of a number with their unit: "20 to 1000000 points". */
 template <typename Value>
 std::string
-rangeText(const Number<Value>& row, For whom)
+rangeText(const Range<Value>& range, For whom)
 {
   const bool is_bounded =
-      row.highest < (std::is_integral_v<Value> ? unbounded : infinity);
-  const std::string lowest = valueText(row, row.lowest, whom);
-  const std::string range = is_bounded
-                                ? lowest + " to " + valueText(row, row.highest, whom)
-                                : "at least " + lowest;
-  const std::string unit = unitOf(row, whom).name;
-  return unit.empty() ? range : range + ' ' + unit;
+      range.highest < (std::is_integral_v<Value> ? unbounded : infinity);
+  const std::string lowest = valueText(range, range.lowest, whom);
+  const std::string bounds =
+      is_bounded ? lowest + " to " + valueText(range, range.highest, whom)
+                 : "at least " + lowest;
+  const std::string unit = unitOf(range, whom).name;
+  return unit.empty() ? bounds : bounds + ' ' + unit;
 }
 
-/** \brief Others have no bounds. */
+/** \name What to use instead of a value that is wrong. */
+/** \{ */
 template <typename Value>
 std::string
-rangeText(const Row<Value>&, For)
-{
-  return "";
-}
-
-/** \brief What to do about a value that is wrong. */
-template <typename Value>
-std::string
-remedy(const Number<Value>& row, For whom)
+remedy(const Range<Value>& range, For whom)
 {
   return std::string("use a ") + (std::is_integral_v<Value> ? "whole " : "") +
-         "number, " + rangeText(row, whom);
+         "number, " + rangeText(range, whom);
 }
 
-/** \copydoc remedy */
 template <typename Value, int size>
 std::string
 remedy(const Choice<Value, size>& row, For)
@@ -109,75 +102,39 @@ remedy(const Choice<Value, size>& row, For)
   return text;
 }
 
-/** \copydoc remedy */
 inline std::string
 remedy(const Flag&, For)
 {
   return "use true or false";
 }
 
-/** \copydoc remedy */
 inline std::string
-remedy(const Text&, For)
+remedy(const Text& row, For)
 {
-  return "use a word that is not empty";
+  return std::string("use ") + row.kinds;
 }
+/** \} */
 
-/** \brief One sentence on what a setting is. */
+/** \name What a setting is, and each word for its value, between \a quotes. */
+/** \{ */
 template <typename Value>
 std::string
-meaningText(const Row<Value>& row)
+meaningText(const Row<Value>& row, const std::string& = "")
 {
   return row.meaning;
 }
 
-/** \copydoc meaningText */
 template <typename Value, int size>
 std::string
-meaningText(const Choice<Value, size>& row)
+meaningText(const Choice<Value, size>& row, const std::string& quotes = "")
 {
   std::string text = row.meaning;
   for (int i = 0; i < size; ++i)
-    text += std::string(i == 0 ? ": " : "; ") + row.words[i].word + ", " +
-            row.words[i].meaning;
+    text += (i == 0 ? ": " : ", ") + quotes + row.words[i].word + quotes + " (" +
+            row.words[i].meaning + ')';
   return text;
 }
-
-/** \brief Whether a setting may have a value. */
-template <typename Value>
-bool
-isRight(const Number<Value>& row, Value value)
-{
-  return value >= row.lowest && value <= row.highest; // which NaN is not
-}
-
-/** \copydoc isRight */
-inline bool
-isRight(const Text&, const std::string& value)
-{
-  return !value.empty();
-}
-
-/** \copydoc isRight */
-template <typename Value>
-bool
-isRight(const Row<Value>&, Value)
-{
-  return true;
-}
-
-/** \brief The word for a value of an enumeration. */
-template <typename Value>
-std::string
-wordOf(Value value)
-{
-  std::string word;
-  forEach([&](const auto& row) {
-    if constexpr (std::is_same_v<Value, typename std::decay_t<decltype(row)>::Value>)
-      word = valueText(row, value, For::PROGRAM);
-  });
-  return word;
-}
+/** \} */
 
 } // namespace setting
 } // namespace kss
