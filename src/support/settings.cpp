@@ -8,6 +8,28 @@
 
 namespace pcl {
 namespace kss {
+namespace {
+
+/** Why a number is refused; empty: it is not. */
+template <typename Value>
+std::string
+refusalOf(const setting::Number<Value>& row, const Value& value)
+{
+  if (row.bounds.hold(value))
+    return "";
+  return std::string(row.name) + ' ' + valueText(row, value, setting::For::PROGRAM) +
+         ": " + remedy(row.bounds) + '.';
+}
+
+/** What is no number cannot be wrong. */
+template <typename Row, typename Value>
+std::string
+refusalOf(const Row&, const Value&)
+{
+  return "";
+}
+
+} // namespace
 
 Settings
 paperSettings(Settings settings)
@@ -53,13 +75,11 @@ checked(const Settings& asked, const Settings& before)
 {
   CheckedSettings result{asked, {}};
   setting::forEach([&](const auto& row) {
-    const auto& value = asked.*row.member;
-    if (row.holds(value))
+    const std::string refusal = refusalOf(row, asked.*row.member);
+    if (refusal.empty())
       return;
     result.settings.*row.member = before.*row.member;
-    result.refusals.push_back(std::string(row.name) + ' ' +
-                              valueText(row, value, setting::For::PROGRAM) + ": " +
-                              remedy(row, setting::For::PROGRAM) + '.');
+    result.refusals.push_back(refusal);
   });
   if (!(asked.smallest_scale >= 0.0 && asked.smallest_scale <= asked.largest_scale &&
         asked.largest_scale > 0.0)) {

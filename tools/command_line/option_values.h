@@ -10,7 +10,6 @@
 #include <boost/program_options/variables_map.hpp>
 
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -46,51 +45,53 @@ ifGiven(const boost::program_options::variables_map& values,
     function(values[option].as<std::string>());
 }
 
-/** \name The value that words stand for; none where they are wrong. */
+/** \name The value that an option's words stand for.
+ * \throws UsageError naming the option
+ */
 /** \{ */
 template <typename Value>
-std::optional<Value>
-parsed(const setting::Range<Value>& range, const std::string& text)
+Value
+valueOf(const setting::Bounds<Value>& bounds,
+        const std::string& option,
+        const std::string& text)
 {
-  double number;
-  if (!boost::conversion::try_lexical_convert(text, number))
-    return {};
-  number *= range.typed.size;
-  if (!(number >= range.lowest && number <= range.highest) ||
+  double number = 0.0;
+  const bool is_number = boost::conversion::try_lexical_convert(text, number);
+  number *= bounds.unit.size;
+  if (!is_number || !(number >= bounds.lowest && number <= bounds.highest) ||
       (std::is_integral_v<Value> && number != std::floor(number)))
-    return {};
+    throw UsageError(option, text, remedy(bounds));
   return static_cast<Value>(number);
 }
 
+template <typename Value>
+Value
+valueOf(const setting::Number<Value>& row,
+        const std::string& option,
+        const std::string& text)
+{
+  return valueOf(row.typed, option, text);
+}
+
 template <typename Value, int size>
-std::optional<Value>
-parsed(const setting::Choice<Value, size>& row, const std::string& text)
+Value
+valueOf(const setting::Choice<Value, size>& row,
+        const std::string& option,
+        const std::string& text)
 {
   for (const setting::Word<Value>& word : row.words)
     if (word.word == text)
       return word.value;
-  return {};
+  throw UsageError(option, text, remedy(row));
 }
 
-inline std::optional<std::string>
-parsed(const setting::Text& row, const std::string& text)
+inline std::string
+valueOf(const setting::Text& row, const std::string& option, const std::string& text)
 {
-  return row.holds(text) ? std::optional<std::string>(text) : std::nullopt;
+  if (text.empty())
+    throw UsageError(option, text, remedy(row));
+  return text;
 }
 /** \} */
-
-/** \brief The value that an option's words stand for.
- * \param[in] row a row of the table of settings, or a Range
- * \throws UsageError naming the option
- */
-template <typename Row>
-auto
-valueOf(const Row& row, const std::string& option, const std::string& text)
-{
-  const auto value = parsed(row, text);
-  if (!value)
-    throw UsageError(option, text, remedy(row, setting::For::COMMAND_LINE));
-  return *value;
-}
 
 } // namespace tool

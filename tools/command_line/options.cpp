@@ -17,8 +17,8 @@ namespace {
 
 namespace po = boost::program_options;
 
-constexpr setting::Range<unsigned int> samples_range{20, 1000000000, {"points"}};
-constexpr setting::Range<unsigned int> iterations_range{1, 1000000, {"iterations"}};
+constexpr setting::Bounds<unsigned int> samples_bounds{20, 1000000000, {"points"}};
+constexpr setting::Bounds<unsigned int> iterations_bounds{1, 1000000, {"iterations"}};
 
 /** Options as words; valueOf() converts them, whose messages say more. */
 po::options_description
@@ -117,10 +117,10 @@ parseOptions(int argc, const char* const* argv)
   options.transform = fileName(values, "transform");
   options.report = fileName(values, "report");
   ifGiven(values, "samples", [&](const auto& value) {
-    options.samples = valueOf(samples_range, "samples", value);
+    options.samples = valueOf(samples_bounds, "samples", value);
   });
   ifGiven(values, "iterations", [&](const auto& value) {
-    options.iterations = valueOf(iterations_range, "iterations", value);
+    options.iterations = valueOf(iterations_bounds, "iterations", value);
   });
   options.quiet = values.count("quiet") > 0;
   options.settings = settingsOf(values);

@@ -15,29 +15,26 @@ namespace po = boost::program_options;
 
 using pcl::kss::Settings;
 
-/** A scale of clouds in units from micrometres to metres: beyond, single precision has
- * no digits left. */
-constexpr setting::Range<double> scale_range{1e-6, 1e6};
-
 /** Whether an option sets two settings, and is worded here. */
 bool
-setsTwo(const setting::Option& option)
+setsTwo(const std::string& option)
 {
-  int settings = 0;
-  setting::forEach([&](const auto& row) {
-    settings += std::string(row.option.name) == option.name;
-  });
-  return settings > 1;
+  return option == "scale-range" || option == "rotations";
 }
 
 template <typename Row>
 std::string
-rangeAndDefault(const Row& row)
+defaultOf(const Row& row)
 {
-  std::string range;
-  if constexpr (std::is_arithmetic_v<typename Row::Value>)
-    range = rangeText(row, setting::For::COMMAND_LINE) + "; ";
-  return range + "default " +
+  return "default " +
+         valueText(row, Settings().*row.member, setting::For::COMMAND_LINE);
+}
+
+template <typename Value>
+std::string
+defaultOf(const setting::Number<Value>& row)
+{
+  return rangeText(row.typed) + "; default " +
          valueText(row, Settings().*row.member, setting::For::COMMAND_LINE);
 }
 
@@ -47,14 +44,20 @@ add(po::options_description& options, const setting::Flag& row)
   options.add_options()(row.option.name, row.off);
 }
 
+void
+add(po::options_description& options,
+    const setting::Option& option,
+    const std::string& text)
+{
+  const auto value = po::value<std::string>()->value_name(option.value);
+  options.add_options()(option.name, value, text.c_str());
+}
+
 template <typename Row>
 void
 add(po::options_description& options, const Row& row)
 {
-  const std::string text = meaningText(row) + " (" + rangeAndDefault(row) + ')';
-  options.add_options()(
-      row.option.name, po::value<std::string>()->value_name(row.option.value),
-      text.c_str());
+  add(options, row.option, meaningText(row) + " (" + defaultOf(row) + ')');
 }
 
 void
@@ -73,40 +76,57 @@ read(const Row& row, const po::variables_map& values, Settings& settings)
   });
 }
 
+/** --rotations WORD, or even:N. */
+void
+addRotations(po::options_description& options)
+{
+  const auto& set = setting::rowOf<&Settings::rotation_set>();
+  const auto& number = setting::rowOf<&Settings::even_rotations>();
+  add(options, set.option,
+      meaningText(set) + ", " + number.option.value + " (so many of them: " +
+          defaultOf(number) + ')');
+}
+
+/** \copydoc addRotations */
 void
 readRotations(const po::variables_map& values, Settings& settings)
 {
-  if (values.count("angle-step"))
-    settings.rotation_set = pcl::kss::RotationSet::EULER;
   ifGiven(values, "rotations", [&](const std::string& text) {
-    const std::string set = text.substr(0, text.find(':'));
-    settings.rotation_set =
-        valueOf(setting::rowOf<&Settings::rotation_set>(), "rotations", set);
-    if (set == text)
+    const auto& set = setting::rowOf<&Settings::rotation_set>();
+    const auto& number = setting::rowOf<&Settings::even_rotations>();
+    const std::string even = "even:";
+    if (text.compare(0, even.size(), even) != 0) {
+      settings.rotation_set = valueOf(set, "rotations", text);
       return;
-    const auto& row = setting::rowOf<&Settings::even_rotations>();
-    const auto number = parsed(row, text.substr(set.size() + 1));
-    if (!number || settings.rotation_set != pcl::kss::RotationSet::EVEN)
-      throw UsageError("rotations", text, remedy(row, setting::For::COMMAND_LINE));
-    settings.even_rotations = *number;
+    }
+    settings.rotation_set = pcl::kss::RotationSet::EVEN;
+    settings.even_rotations = valueOf(number, "rotations even:", text.substr(5));
   });
 }
 
+/** --scale-range A B. */
+void
+addScaleRange(po::options_description& options)
+{
+  const auto& smallest = setting::rowOf<&Settings::smallest_scale>();
+  add(options, smallest.option,
+      "smallest and largest scale of the transformation (" + rangeText(smallest.typed) +
+          ')');
+}
+
+/** \copydoc addScaleRange */
 void
 readScaleRange(const po::variables_map& values, Settings& settings)
 {
   ifGiven(values, "scale-range", [&](const std::string& text) {
     const auto space = text.find(' ');
-    const auto smallest = parsed(scale_range, text.substr(0, space));
-    const auto largest =
-        parsed(scale_range, space == text.npos ? "" : text.substr(space + 1));
-    if (!smallest || !largest || *smallest > *largest)
-      throw UsageError("scale-range", text,
-                       "use two numbers, " +
-                           rangeText(scale_range, setting::For::COMMAND_LINE) +
-                           ", the smaller one first");
-    settings.smallest_scale = *smallest;
-    settings.largest_scale = *largest;
+    if (space == std::string::npos)
+      throw UsageError("scale-range", text, "use two numbers");
+    settings.smallest_scale = valueOf(setting::rowOf<&Settings::smallest_scale>(),
+                                      "scale-range", text.substr(0, space));
+    auto largest = setting::rowOf<&Settings::largest_scale>().typed;
+    largest.lowest = settings.smallest_scale;
+    settings.largest_scale = valueOf(largest, "scale-range", text.substr(space + 1));
   });
 }
 
@@ -116,23 +136,16 @@ po::options_description
 settingOptions()
 {
   po::options_description options("Settings");
-  const auto word = [](const char* name) {
-    return po::value<std::string>()->value_name(name);
-  };
   options.add_options()(
       "paper", "the paper's own settings: all pairs of points, Hausdorff distances, the "
                "grid of angles, no cleaning; --mode global unless given");
   setting::forEach([&](const auto& row) {
-    if (!setsTwo(row.option))
+    const std::string name = row.option.name;
+    if (!setsTwo(name))
       add(options, row);
+    else if (!options.find_nothrow(name, false))
+      name == "rotations" ? addRotations(options) : addScaleRange(options);
   });
-  options.add_options()("scale-range", word("A B"),
-                        "smallest and largest scale of the transformation");
-  const auto& set = setting::rowOf<&Settings::rotation_set>();
-  const auto& number = setting::rowOf<&Settings::even_rotations>();
-  const std::string rotations = meaningText(set) + "; even:N, N of these (" +
-                                rangeAndDefault(number) + ')';
-  options.add_options()("rotations", word(set.option.value), rotations.c_str());
   return options;
 }
 
@@ -143,14 +156,13 @@ settingsOf(const po::variables_map& values)
   if (values.count("paper"))
     settings = pcl::kss::paperSettings(settings);
   setting::forEach([&](const auto& row) {
-    if (!setsTwo(row.option))
+    if (!setsTwo(row.option.name))
       read(row, values, settings);
   });
+  if (values.count("angle-step"))
+    settings.rotation_set = pcl::kss::RotationSet::EULER;
   readRotations(values, settings);
   readScaleRange(values, settings);
-  // no limit is what there is without the option
-  if (values.count("time-limit") && settings.time_limit == 0.0)
-    throw UsageError("time-limit", "0", "use more seconds");
   return settings;
 }
 

@@ -53,21 +53,25 @@ struct Unit {
 
 /** \brief What a number may be. */
 template <typename Value>
-struct Range {
+struct Bounds {
   Value lowest, highest;
   Unit unit = {""};
-  Unit typed = unit; ///< on the command line
 
   constexpr bool
-  holds(Value value) const
+  hold(Value value) const
   {
     return value >= lowest && value <= highest; // which NaN is not
   }
 };
 
-/** \brief A number within bounds. */
+/** \brief A number. On a command line, where what is typed wrong is likelier than what
+ * is out of the ordinary, its bounds may be narrower, and its unit another.
+ */
 template <typename Value>
-struct Number : Row<Value>, Range<Value> {};
+struct Number : Row<Value> {
+  Bounds<Value> bounds;
+  Bounds<Value> typed = bounds;
+};
 
 /** \brief A value with its word. */
 template <typename Value>
@@ -82,38 +86,22 @@ struct Word {
 template <typename Value, int size>
 struct Choice : Row<Value> {
   Word<Value> words[size];
-
-  constexpr bool
-  holds(Value) const
-  {
-    return true;
-  }
 };
 
 /** \brief A switch, which is on; the option switches it off. */
 struct Flag : Row<bool> {
   const char* off; ///< what it means that it is off
-
-  constexpr bool
-  holds(bool) const
-  {
-    return true;
-  }
 };
 
-/** \brief Any words but none. */
+/** \brief Any words. */
 struct Text : Row<std::string> {
   const char* kinds; ///< what they may be
-
-  bool
-  holds(const std::string& value) const
-  {
-    return !value.empty();
-  }
 };
 
 constexpr double degree = 0.017453292519943295; // pi / 180
 constexpr double infinity = std::numeric_limits<double>::infinity();
+/** Beyond, single precision has no digits left. */
+constexpr Bounds<double> metres_in_micrometres{1e-6, 1e6};
 constexpr unsigned int unbounded = std::numeric_limits<unsigned int>::max();
 
 // clang-format off: a row reads as a row
@@ -137,12 +125,14 @@ inline constexpr auto table = std::make_tuple(
         {&Settings::smallest_scale, "smallest_scale", "setScaleRange",
          {"scale-range", "A B"}, Part::ALIGNMENT,
          "smallest scale of the transformation where it is estimated"},
-        {0.0, infinity}},
+        {0.0, infinity},
+        metres_in_micrometres},
     Number<double>{
         {&Settings::largest_scale, "largest_scale", "setScaleRange",
          {"scale-range", "A B"}, Part::ALIGNMENT,
          "largest scale of the transformation where it is estimated"},
-        {0.0, infinity}},
+        {0.0, infinity},
+        metres_in_micrometres},
     Flag{
         {&Settings::clean, "clean", "", {"no-cleaning", ""}, Part::ALIGNMENT,
          "whether stray points are left out and heavy noise is averaged in the search"},
@@ -151,6 +141,7 @@ inline constexpr auto table = std::make_tuple(
         {&Settings::sample_points, "sample_points", "", {"points", "K"}, Part::ALIGNMENT,
          "points that both clouds are simplified to; fewer for clouds too small to be "
          "evened out"},
+        {20, unbounded, {"points"}},
         {20, 1000000, {"points"}}},
     Choice<Density, 2>{
         {&Settings::density, "density", "", {"density", "WORD"}, Part::ALIGNMENT,
@@ -170,7 +161,8 @@ inline constexpr auto table = std::make_tuple(
         {&Settings::angle_step, "angle_step", "", {"angle-step", "DEG"}, Part::ALIGNMENT,
          "step of the grid of angles, rounded so that steps fill the circle; small ones "
          "cost: (360 degrees / step) cubed rotations"},
-        {0.05, 180 * degree, {"radians"}, {"degrees", degree}}},
+        {0.05, 180 * degree, {"radians"}},
+        {3 * degree, 180 * degree, {"degrees", degree}}},
     Choice<CenterSet, 2>{
         {&Settings::center_set, "center_set", "", {"centers", "WORD"}, Part::ALIGNMENT,
          "which centres are tried where a cloud may be incomplete"},
@@ -218,7 +210,8 @@ inline constexpr auto table = std::make_tuple(
     Number<double>{
         {&Settings::time_limit, "time_limit", "setTimeLimit", {"time-limit", "SECONDS"},
          Part::REST, "time after which the best pose so far has to do; 0: never"},
-        {0.0, 1e9, {"seconds"}}},
+        {0.0, infinity, {"seconds"}},
+        {1e-3, 1e9, {"seconds"}}},
     Text{
         {&Settings::device, "device", "setDevice", {"device", "NAME"}, Part::ALIGNMENT,
          "where the search runs: auto, on the first OpenCL device, GPUs first, else on "
@@ -229,6 +222,7 @@ inline constexpr auto table = std::make_tuple(
         {&Settings::threads, "threads", "setNumberOfThreads", {"threads", "N"},
          Part::ALIGNMENT,
          "threads on the host and on an OpenCL CPU device; 0: as many as there are cores"},
+        {0, unbounded, {"threads"}},
         {0, 1024, {"threads"}}});
 
 // clang-format on

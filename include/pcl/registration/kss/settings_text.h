@@ -17,12 +17,12 @@ namespace setting {
 /** \brief Who is told: those who write a program, or a command line. */
 enum class For { PROGRAM, COMMAND_LINE };
 
-/** \brief The unit of a number, as it is told to people. */
+/** \brief The bounds and the unit that they are told. */
 template <typename Value>
-const Unit&
-unitOf(const Range<Value>& range, For whom)
+const Bounds<Value>&
+boundsOf(const Number<Value>& row, For whom)
 {
-  return whom == For::PROGRAM ? range.unit : range.typed;
+  return whom == For::PROGRAM ? row.bounds : row.typed;
 }
 
 /** \brief A number with as many digits as people type. */
@@ -39,9 +39,9 @@ numberText(double number)
 /** \{ */
 template <typename Value>
 std::string
-valueText(const Range<Value>& range, Value value, For whom)
+valueText(const Number<Value>& row, Value value, For whom)
 {
-  return numberText(value / unitOf(range, whom).size);
+  return numberText(value / boundsOf(row, whom).unit.size);
 }
 
 template <typename Value, int size>
@@ -67,34 +67,33 @@ valueText(const Text&, const std::string& value, For)
 }
 /** \} */
 
-/** \brief The bounds of a number with their unit: "20 to 1000000 points". */
+/** \brief Bounds with their unit: "20 to 1000000 points". */
 template <typename Value>
 std::string
-rangeText(const Range<Value>& range, For whom)
+rangeText(const Bounds<Value>& bounds)
 {
-  const bool is_bounded =
-      range.highest < (std::is_integral_v<Value> ? unbounded : infinity);
-  const std::string lowest = valueText(range, range.lowest, whom);
-  const std::string bounds =
-      is_bounded ? lowest + " to " + valueText(range, range.highest, whom)
-                 : "at least " + lowest;
-  const std::string unit = unitOf(range, whom).name;
-  return unit.empty() ? bounds : bounds + ' ' + unit;
+  const bool are_two =
+      bounds.highest < (std::is_integral_v<Value> ? unbounded : infinity);
+  const std::string lowest = numberText(bounds.lowest / bounds.unit.size);
+  const std::string range =
+      are_two ? lowest + " to " + numberText(bounds.highest / bounds.unit.size)
+              : "at least " + lowest;
+  return *bounds.unit.name ? range + ' ' + bounds.unit.name : range;
 }
 
 /** \name What to use instead of a value that is wrong. */
 /** \{ */
 template <typename Value>
 std::string
-remedy(const Range<Value>& range, For whom)
+remedy(const Bounds<Value>& bounds)
 {
   return std::string("use a ") + (std::is_integral_v<Value> ? "whole " : "") +
-         "number, " + rangeText(range, whom);
+         "number, " + rangeText(bounds);
 }
 
 template <typename Value, int size>
 std::string
-remedy(const Choice<Value, size>& row, For)
+remedy(const Choice<Value, size>& row)
 {
   std::string text = "use ";
   for (int i = 0; i < size; ++i)
@@ -103,13 +102,7 @@ remedy(const Choice<Value, size>& row, For)
 }
 
 inline std::string
-remedy(const Flag&, For)
-{
-  return "use true or false";
-}
-
-inline std::string
-remedy(const Text& row, For)
+remedy(const Text& row)
 {
   return std::string("use ") + row.kinds;
 }
