@@ -7,6 +7,8 @@
 // each cloud times 1728. The time is that of the whole registration; the search alone
 // is the counter search_s, wall time.
 
+#include "search/candidate_search.h"
+
 #include "judgement.h"
 #include "registration.h"
 #include "sizes.h"
@@ -45,7 +47,7 @@ BENCHMARK(CompleteByBounds)->Apply(tenThousand);
 void
 CompleteByBruteForce(benchmark::State& state)
 {
-  search(state, pcl::kss::Mode::GLOBAL_GLOBAL, pcl::kss::Search::BRUTE_FORCE);
+  search(state, pcl::kss::Mode::GLOBAL_GLOBAL, pcl::kss::brute_force);
 }
 BENCHMARK(CompleteByBruteForce)->Apply(tenThousand);
 
@@ -59,7 +61,7 @@ BENCHMARK(PartialByBounds)->Apply(tenThousand);
 void
 PartialByBruteForce(benchmark::State& state)
 {
-  search(state, pcl::kss::Mode::PARTIAL_GLOBAL, pcl::kss::Search::BRUTE_FORCE);
+  search(state, pcl::kss::Mode::PARTIAL_GLOBAL, pcl::kss::brute_force);
 }
 BENCHMARK(PartialByBruteForce)->Apply([](benchmark::internal::Benchmark* benchmark) {
   timed(benchmark, 1); // minutes

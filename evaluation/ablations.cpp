@@ -5,6 +5,7 @@
 #include "ablations.h"
 
 #include "kss_icp_methods.h"
+#include "preparation/simplification.h"
 
 #include <cmath>
 #include <limits>
@@ -70,7 +71,10 @@ ablations()
       {"energy",
        "energy",
        {variant("Hausdorff",
-                [](Settings& settings) { settings.energy = Energy::HAUSDORFF; })}},
+                [](Settings& settings) {
+                  settings.energy = Energy::HAUSDORFF;
+                  settings.search = Search::EXACT;
+                })}},
       {"additional-process",
        "additional process",
        {variant("no additional process",
@@ -86,7 +90,7 @@ ablations()
        {variant("quotas of (e5)",
                 [](Settings& settings) { settings.density = Density::PAPER; }),
         variant("random points",
-                [](Settings& settings) { settings.density = Density::RANDOM; }),
+                [](Settings& settings) { settings.density = random_points; }),
         variant("farthest points, no cleaning",
                 [](Settings& settings) { settings.clean = false; }),
         variant("quotas, no cleaning",
@@ -97,7 +101,10 @@ ablations()
       {"centers",
        "centres",
        {variant("centres of (e123)",
-                [](Settings& settings) { settings.center_set = CenterSet::PAPER; })}},
+                [](Settings& settings) {
+                  settings.center_set = CenterSet::PAPER;
+                  settings.search = Search::EXACT;
+                })}},
       {"search",
        "search",
        {variant("exact search",

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <type_traits>
+
 namespace kss_test {
 
 /** \brief Two independent samplings of one shape. */
@@ -39,6 +41,18 @@ pairOf(const Points& source, const Points& target, const Eigen::Matrix4d& truth)
           cloudOf<pcl::PointXYZ>(target), truth};
 }
 
+/** \brief Give a registration one setting. */
+template <typename Registration, typename Value>
+void
+set(Registration& registration,
+    Value pcl::kss::Settings::*setting,
+    const std::common_type_t<Value>& value)
+{
+  pcl::kss::Settings settings = registration.getSettings();
+  settings.*setting = value;
+  registration.setSettings(settings);
+}
+
 /** \brief Few samples: enough for these shapes. One thread: on a busy machine, threads
  * that wait for each other take many times as long over so little work. Both clouds
  * complete: what does not hang on the mode need not wait for the others. */
@@ -47,7 +61,7 @@ void
 makeQuick(Registration& registration)
 {
   registration.setMode(pcl::kss::Mode::GLOBAL_GLOBAL);
-  registration.setNumberOfSamplePoints(200);
+  set(registration, &pcl::kss::Settings::sample_points, 200);
   registration.setNumberOfThreads(1);
 }
 

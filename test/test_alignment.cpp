@@ -10,7 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <map>
 #include <stdexcept>
 
@@ -304,40 +303,6 @@ TEST(Alignment, KeepsNothingThatShows)
   expectAsFresh(noisy(a, 0.15, 64), noisy(b, 0.15, 65), 1.0);
   expectAsFresh(noisy(a, 0.15, 64), b, 1.0);
   expectAsFresh(a, b, 1.0);
-}
-
-TEST(Settings, AskForTheSameWorkUnlessOneOfThemDiffers)
-{
-  const Settings settings;
-  EXPECT_TRUE(sameWork(settings, settings));
-  const std::function<void(Settings&)> others[] = {
-      [](Settings& s) { s.mode = Mode::PARTIAL_PARTIAL; },
-      [](Settings& s) { s.sample_points = 77; },
-      [](Settings& s) { s.density = Density::PAPER; },
-      [](Settings& s) { s.clean = false; },
-      [](Settings& s) { s.rotation_set = RotationSet::EULER; },
-      [](Settings& s) { s.angle_step = 0.77; },
-      [](Settings& s) { s.even_rotations = 77; },
-      [](Settings& s) { s.center_set = CenterSet::PAPER; },
-      [](Settings& s) { s.energy = Energy::HAUSDORFF; },
-      [](Settings& s) { s.search = Search::BRUTE_FORCE; },
-      [](Settings& s) { s.search_points = 77; },
-      [](Settings& s) { s.local_minimum_kernel = 7; },
-      [](Settings& s) { s.additional_process_threshold = 0.77; },
-      [](Settings& s) { s.estimate_scale = false; },
-      [](Settings& s) { s.smallest_scale = 0.77; },
-      [](Settings& s) { s.largest_scale = 1.77; },
-      [](Settings& s) { s.device = "host"; },
-      [](Settings& s) { s.threads = 7; }};
-  for (const auto& change : others) {
-    Settings other;
-    change(other);
-    EXPECT_FALSE(sameWork(settings, other)) << &change - others;
-  }
-  Settings same;
-  same.icp_points = 77;
-  same.progress = [](const std::string&, double) {};
-  EXPECT_TRUE(sameWork(settings, same));
 }
 
 TEST(Alignment, SaysWhichCloudDeterminesNoPose)

@@ -17,6 +17,9 @@ namespace kss {
  * too little of it to tell a shape by. */
 constexpr std::size_t fewest_samples = 64;
 
+/** \brief Any points: what other densities are measured against. */
+constexpr auto random_points = static_cast<Density>(-1);
+
 /** \brief How many points of a cloud can be spread evenly.
  *
  * Where a cloud is so sparse that its own spacing exceeds that of as many even samples,
@@ -39,7 +42,7 @@ evenSampleSize(const FarthestOrder& order, const Neighbourhoods& neighbourhoods)
  * ones; within a voxel the point farthest from all samples so far, those of the
  * adjacent voxels included, is taken next.
  *
- * Density::RANDOM draws points, the same ones at every call.
+ * random_points draws points, the same ones at every call.
  *
  * \param[in] cloud a cloud of any size
  * \param[in] k the number of samples

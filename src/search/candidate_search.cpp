@@ -26,14 +26,11 @@ using namespace search_numbers;
 double
 bytesOfCandidate(Search search)
 {
-  switch (search) {
-  case Search::EXACT: // KnownDistances and what MinimumSearch makes of them
+  if (search == Search::EXACT) // KnownDistances and what MinimumSearch makes of them
     return 80.0;
-  case Search::BRUTE_FORCE: // energies and indices
+  if (search == brute_force) // energies and indices
     return 16.0;
-  default: // energies, and sums of one scale
-    return 8.0;
-  }
+  return 8.0; // energies, and sums of one scale
 }
 
 void
@@ -59,9 +56,7 @@ CandidateSearch::CandidateSearch(const Settings& settings)
 {
   if (settings.energy == Energy::HAUSDORFF)
     limit_ = std::numeric_limits<float>::max();
-  if (settings.search == Search::SCREENED &&
-      (settings.energy == Energy::HAUSDORFF || settings.center_set == CenterSet::PAPER))
-    settings_.search = Search::EXACT;
+  settings_.search = searchOf(settings);
   if (settings_.search == Search::SCREENED) {
     evaluator_ = makeLookUps(settings);
     screening_.emplace(settings);

@@ -18,6 +18,10 @@
 namespace pcl {
 namespace kss {
 
+/** \brief The energies of all candidates from all pairs of points: what other searches
+ * are measured against. */
+constexpr auto brute_force = static_cast<Search>(-1);
+
 /** \brief A local minimum of an energy: a pose between the pre-shapes. */
 struct Minimum {
   Similarity pose;

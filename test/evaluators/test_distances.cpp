@@ -533,7 +533,7 @@ TEST(NoDevice, LeavesTheWorkToTheHost)
   EXPECT_EQ("host", makePairDistances(settings)->deviceName());
   settings.device = "pthread";
   EXPECT_THROW(makePairDistances(settings), DeviceError);
-  settings.search = Search::BRUTE_FORCE;
+  settings.search = Search::EXACT;
   EXPECT_THROW(makePairDistances(settings), DeviceError);
   EXPECT_THROW(makeOpenCLPairDistances("auto", 0), DeviceError);
   EXPECT_THROW(makeOpenCLLookUps("auto", 0, 96), DeviceError);

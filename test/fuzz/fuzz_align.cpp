@@ -8,7 +8,9 @@
  */
 
 #include "bytes.h"
+#include "preparation/simplification.h"
 #include "require.h"
+#include "search/candidate_search.h"
 
 #include <pcl/common/transforms.h>
 #include <pcl/registration/kss_icp.h>
@@ -125,10 +127,9 @@ change(pcl::kss::Settings& settings, Bytes& bytes)
   using namespace pcl::kss;
   static const Mode modes[] = {Mode::AUTOMATIC, Mode::GLOBAL_GLOBAL,
                                Mode::PARTIAL_GLOBAL, Mode::PARTIAL_PARTIAL};
-  static const Search searches[] = {Search::EXACT, Search::BRUTE_FORCE,
+  static const Search searches[] = {Search::EXACT, brute_force,
                                     Search::SCREENED};
-  static const Density densities[] = {Density::UNIFORM, Density::PAPER,
-                                      Density::RANDOM};
+  static const Density densities[] = {Density::UNIFORM, Density::PAPER, random_points};
   static const double bounds[] = {0.0, 0.5,  1.0,   2.0,   1e-300, 1e-20,   1e-3,
                                   1e3, 1e20, 1e300, 1e308, -1.0,   infinity};
   settings.mode = bytes.oneOf(modes);
@@ -230,7 +231,8 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
     if (what & 32) {
       registration.setMaximumIterations(bytes.below(12) - 1);
       registration.setMaxCorrespondenceDistance(unusual(bytes));
-      registration.setMinimumConfidence(bytes.byte() / 255.0);
+      settings.minimum_confidence = bytes.byte() / 255.0;
+      registration.setMinimumConfidence(settings.minimum_confidence);
       registration.setTransformationEpsilon(unusual(bytes));
     }
     if (what & 64)

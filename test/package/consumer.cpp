@@ -25,7 +25,9 @@ main()
     target->push_back({3.0f - 2.0f * point.y, 2.0f * point.x, 2.0f * point.z});
   }
   pcl::KSSICP<pcl::PointXYZ, pcl::PointXYZ, double> registration;
-  registration.setNumberOfSamplePoints(150);
+  pcl::kss::Settings settings;
+  settings.sample_points = 150;
+  registration.setSettings(settings);
   registration.setInputSource(source);
   registration.setInputTarget(target);
   pcl::PointCloud<pcl::PointXYZ> aligned;

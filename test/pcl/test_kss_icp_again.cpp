@@ -148,21 +148,22 @@ TEST_F(Again, CloudsThatHaveChangedAreAsForANewObject)
 
 TEST_F(Again, OtherSettingsAreAsForANewObject)
 {
+  using namespace pcl::kss;
   const std::function<void(KSSICP&)> changes[] = {
-      [](KSSICP& icp) { icp.setNumberOfSamplePoints(150); },
-      [](KSSICP& icp) { icp.setDensity(pcl::kss::Density::PAPER); },
-      [](KSSICP& icp) { icp.setDensity(pcl::kss::Density::UNIFORM); },
-      [](KSSICP& icp) { icp.setCleaning(false); },
-      [](KSSICP& icp) { icp.setNumberOfEvenRotations(300); },
-      [](KSSICP& icp) { icp.setRotationSet(pcl::kss::RotationSet::EULER); },
-      [](KSSICP& icp) { icp.setAngleStep(M_PI / 5.0); },
-      [](KSSICP& icp) { icp.setRotationSet(pcl::kss::RotationSet::EVEN); },
+      [](KSSICP& icp) { set(icp, &Settings::sample_points, 150); },
+      [](KSSICP& icp) { set(icp, &Settings::density, Density::PAPER); },
+      [](KSSICP& icp) { set(icp, &Settings::density, Density::UNIFORM); },
+      [](KSSICP& icp) { set(icp, &Settings::clean, false); },
+      [](KSSICP& icp) { set(icp, &Settings::even_rotations, 300); },
+      [](KSSICP& icp) { set(icp, &Settings::rotation_set, RotationSet::EULER); },
+      [](KSSICP& icp) { set(icp, &Settings::angle_step, M_PI / 5.0); },
+      [](KSSICP& icp) { set(icp, &Settings::rotation_set, RotationSet::EVEN); },
       [](KSSICP& icp) { icp.setMode(Mode::PARTIAL_GLOBAL); },
       [](KSSICP& icp) { icp.setScaleRange(0.7, 1.2); },
       [](KSSICP& icp) { icp.setScaleEstimation(false); },
       [](KSSICP& icp) { icp.setMode(Mode::AUTOMATIC); },
-      [](KSSICP& icp) { icp.setLocalMinimumKernel(5); },
-      [](KSSICP& icp) { icp.setAdditionalProcessThreshold(0.1); },
+      [](KSSICP& icp) { set(icp, &Settings::local_minimum_kernel, 5); },
+      [](KSSICP& icp) { set(icp, &Settings::additional_process_threshold, 0.1); },
       [](KSSICP& icp) { icp.setDevice("host"); },
       [](KSSICP& icp) { icp.setNumberOfICPPoints(100); },
       [](KSSICP& icp) { icp.setNumberOfICPPoints(0); }};

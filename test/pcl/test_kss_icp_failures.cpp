@@ -137,7 +137,7 @@ TEST_F(Failure, OfCloudsThatDetermineNoPose)
   const auto line = cloudOf<pcl::PointXYZ>(row);
   for (const auto& bad : {one, two, equal, nan, line})
     for (const auto density : {pcl::kss::Density::UNIFORM, pcl::kss::Density::PAPER}) {
-      registration_.setDensity(density);
+      set(registration_, &pcl::kss::Settings::density, density);
       setClouds(registration_, pair_);
       registration_.setInputSource(bad);
       expectFailureThatTransforms(*bad);

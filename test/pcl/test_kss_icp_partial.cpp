@@ -20,7 +20,7 @@ align(KSSICP& registration, const Pair<>& pair, bool scale)
 {
   makeQuick(registration);
   registration.setMode(Mode::AUTOMATIC);
-  registration.setNumberOfSamplePoints(500);
+  set(registration, &pcl::kss::Settings::sample_points, 500);
   registration.setScaleEstimation(scale);
   setClouds(registration, pair);
   Cloud output;

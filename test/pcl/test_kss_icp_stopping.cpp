@@ -7,6 +7,7 @@
 
 #include "pairs.h"
 #include "faults/thread_faults.h"
+#include "search/candidate_search.h"
 
 #include <pcl/registration/kss/detail/stopping.h>
 
@@ -27,7 +28,7 @@ protected:
   Stopping()
   : pair_(pairOf(randomRigid(1)))
   {
-    registration_.setNumberOfSamplePoints(200);
+    set(registration_, &pcl::kss::Settings::sample_points, 200);
     registration_.setScaleEstimation(false);
     setClouds(registration_, pair_);
   }
@@ -65,7 +66,7 @@ protected:
     registration_.align(output_);
     EXPECT_TRUE(registration_.hasConverged()) << registration_.getFailureReason();
     KSSICP fresh;
-    fresh.setNumberOfSamplePoints(200);
+    set(fresh, &pcl::kss::Settings::sample_points, 200);
     fresh.setScaleEstimation(false);
     setClouds(fresh, pair_);
     Cloud output;
@@ -182,7 +183,7 @@ TEST_F(Stopping, SoonAfterACancelFromAnotherThread)
   pcl::kss::Settings part = pcl::kss::paperSettings({});
   part.mode = pcl::kss::Mode::PARTIAL_GLOBAL;
   pcl::kss::Settings all_pairs = part;
-  all_pairs.search = pcl::kss::Search::BRUTE_FORCE;
+  all_pairs.search = pcl::kss::brute_force;
   pcl::kss::Settings on_host = part;
   on_host.device = "host";
   for (const Trial& trial : {Trial{"usual", usual}, Trial{"paper", part},

@@ -132,7 +132,7 @@ TEST(Stress, AThousandRegistrationsOfWhichAThirdAreDisturbed)
           std::this_thread::yield();
         KSSICP registration;
         registration.setMode(pcl::kss::Mode::GLOBAL_GLOBAL);
-        registration.setNumberOfSamplePoints(200);
+        set(registration, &pcl::kss::Settings::sample_points, 200);
         for (int i = 0; i < number; ++i)
           registerOnce(registration, all[(t + i) % pairs],
                        i % 3 == 0 ? (t + i / 3) % faults : -1, t + threads * i, counts);

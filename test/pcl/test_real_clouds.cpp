@@ -102,7 +102,7 @@ protected:
                        bool has_to_converge = false) const
   {
     KSSICP registration;
-    registration.setNumberOfSamplePoints(1000);
+    set(registration, &pcl::kss::Settings::sample_points, 1000);
     registration.setScaleEstimation(false);
     registration.setInputSource(pair.source);
     registration.setInputTarget(pair.target);

@@ -22,9 +22,10 @@ using namespace kss_test;
 using pcl::kss::Density;
 using pcl::kss::inFarthestOrder;
 using pcl::kss::neighbourhoodsOf;
+using pcl::kss::random_points;
 using pcl::kss::simplify;
 
-constexpr auto densities = {Density::UNIFORM, Density::PAPER, Density::RANDOM};
+constexpr auto densities = {Density::UNIFORM, Density::PAPER, random_points};
 
 const char*
 nameOf(Density density)
@@ -225,8 +226,8 @@ TEST(Simplification, SpreadsAsEvenlyAsFarthestPointSampling)
 TEST(Simplification, DrawsPointsWithoutRegardToTheirPlace)
 {
   const Points cloud = unevenSquare(40000, 6);
-  const Points samples = simplify(cloud, 2000, Density::RANDOM, 1);
-  EXPECT_TRUE(samples == simplify(cloud, 2000, Density::RANDOM, 2));
+  const Points samples = simplify(cloud, 2000, random_points, 1);
+  EXPECT_TRUE(samples == simplify(cloud, 2000, random_points, 2));
   const auto input = stripesOf(cloud), drawn = stripesOf(samples);
   for (int stripe = 0; stripe < 5; ++stripe) // five standard deviations
     EXPECT_NEAR(input[stripe] / 20.0, drawn[stripe],

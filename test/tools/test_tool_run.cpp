@@ -315,6 +315,33 @@ TEST_F(ToolRun, TakesTheModeTheScalesAndThePapersSettings)
   EXPECT_EQ("global", nlohmann::json::parse(content("r.json")).at("mode"));
 }
 
+TEST_F(ToolRun, TakesTheSettingsOfExperts)
+{
+  const auto searchWith = [&](const std::string& options) {
+    const Outcome result =
+        search(options + " --mode global source.xyz target.xyz a.xyz --report r.json");
+    EXPECT_EQ(0, result.status) << result.errors;
+    EXPECT_LT(largestDistance(read("target.xyz"), read("a.xyz")), 2.5 * 0.1);
+    const auto report = nlohmann::json::parse(content("r.json"));
+    const std::string searched = report.at("search");
+    EXPECT_NE(std::string::npos, result.output.find("search " + searched));
+    return searched;
+  };
+  EXPECT_EQ("screened", searchWith("--rotations even:1000 --search-points 64"));
+  EXPECT_EQ("screened", searchWith("--rotations even --kernel 4 --icp-points 0"));
+  EXPECT_EQ("screened", searchWith("--angle-step 45 --density paper"));
+  EXPECT_EQ("exact", searchWith("--search exact --additional-process 0.5"));
+  // what screening is not for
+  EXPECT_EQ("exact", searchWith("--energy hausdorff"));
+  EXPECT_EQ("exact", searchWith("--search screened --centers paper"));
+  // nothing is that sure
+  const Outcome unsure = search("--confidence 1 --rigid source.xyz rigid.xyz");
+  EXPECT_EQ(1, unsure.status);
+  // words override the paper's
+  EXPECT_EQ("screened",
+            searchWith("--paper --search screened --energy mean --centers spread"));
+}
+
 TEST_F(ToolRun, MovesMeshes)
 {
   // strips of neighbours are enough to be sampled
@@ -389,6 +416,25 @@ TEST_F(ToolRun, NamesWhatIsWrong)
       {"source.xyz target.xyz --scale-range 0 1", "--scale-range 0"},
       {"source.xyz target.xyz --scale-range a b", "--scale-range a"},
       {"source.xyz target.xyz --density high", "--density high"},
+      {"source.xyz target.xyz --density random", "use uniform or paper"},
+      {"source.xyz target.xyz --points 1000001", "20 to 1000000 points"},
+      {"source.xyz target.xyz --angle-step 2.9", "3 to 180 degrees"},
+      {"source.xyz target.xyz --angle-step 181", "3 to 180 degrees"},
+      {"source.xyz target.xyz --rotations euler:9", "--rotations euler:9"},
+      {"source.xyz target.xyz --rotations even:100001", "1 to 100000 rotations"},
+      {"source.xyz target.xyz --mode whole", "use auto, global, partial or overlap"},
+      {"source.xyz target.xyz --scale-range 1e-7 1", "--scale-range 1e-7"},
+      {"source.xyz target.xyz --scale-range 1 1e7", "--scale-range 1e7"},
+      {"source.xyz target.xyz --centers none", "--centers none"},
+      {"source.xyz target.xyz --energy ''", "--energy ''"},
+      {"source.xyz target.xyz --search brute", "use screened or exact"},
+      {"source.xyz target.xyz --search-points 129", "--search-points 129"},
+      {"source.xyz target.xyz --kernel 2", "--kernel 2"},
+      {"source.xyz target.xyz --additional-process=-1", "--additional-process -1"},
+      {"source.xyz target.xyz --icp-points all", "--icp-points all"},
+      {"source.xyz target.xyz --icp-points 4294967296", "--icp-points 4294967296"},
+      {"source.xyz target.xyz --confidence 1.1", "--confidence 1.1"},
+      {"source.xyz target.xyz --time-limit 0.0009", "0.001 to 1e+09 seconds"},
       {"source.xyz target.xyz --device nonesuch", "--device nonesuch"},
       {"source.xyz target.xyz --device ''", "--device"},
       {"source.xyz target.xyz --threads 2000", "--threads 2000"},
@@ -453,12 +499,19 @@ TEST_F(ToolRun, ShowsHelpVersionAndDevices)
     EXPECT_EQ(0, result.status) << arguments;
     EXPECT_EQ("", result.errors) << arguments;
   }
-  const std::string help = run("--help").output;
+  // in one line
+  std::istringstream words(run("--help").output);
+  std::string help;
+  for (std::string word; words >> word;)
+    help += word + ' ';
   for (const char* option :
        {"--transform", "--report", "--mode", "--scale-range", "--paper",
         "--no-cleaning", "--rigid", "--points", "--angle-step", "--rotations",
         "--density", "--device", "--list-devices", "--threads", "--samples", "--quiet",
-        "--version", "--help", "Example"})
+        "--version", "--help", "Example", "--centers", "--energy", "--search",
+        "--search-points", "--kernel", "--additional-process", "--icp-points",
+        "--confidence", "--time-limit", "default 2000", "3 to 180 degrees",
+        "default 30)", "(default even)", "1 to 100000 rotations; default 1728"})
     EXPECT_NE(std::string::npos, help.find(option)) << option;
   EXPECT_EQ(0u, run("--version").output.find("pcl_kss_icp "));
 }

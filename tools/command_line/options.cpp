@@ -4,12 +4,12 @@
 
 #include "options.h"
 
-#include <boost/lexical_cast/try_lexical_convert.hpp>
+#include "option_values.h"
+#include "setting_options.h"
+
 #include <boost/program_options.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <sstream>
 
 namespace tool {
@@ -17,17 +17,10 @@ namespace {
 
 namespace po = boost::program_options;
 
-/** Keeps Boost's own words about a value that is wrong away from ours. */
-class UsageError : public std::runtime_error {
-public:
-  UsageError(const std::string& option, const std::string& value, const char* remedy)
-  : std::runtime_error("--" + option + " " + value + ": " + remedy +
-                       "; --help shows all options")
-  {
-  }
-};
+constexpr setting::Bounds<unsigned int> samples_bounds{20, 1000000000, {"points"}};
+constexpr setting::Bounds<unsigned int> iterations_bounds{1, 1000000, {"iterations"}};
 
-/** Options as words; they are converted by number() below, whose messages say more. */
+/** Options as words; valueOf() converts them, whose messages say more. */
 po::options_description
 visibleOptions()
 {
@@ -39,73 +32,14 @@ visibleOptions()
   options.add_options()
     ("transform", word("FILE"), "write the transformation: 4x4 numbers, row by row")
     ("report", word("FILE"), "write all results as JSON, also if not registered")
-    ("mode", word("MODE"),
-     "what the clouds show: auto (default), both the whole object: global, one a part of "
-     "the other: partial, or both incomplete: overlap")
-    ("rigid", "the clouds have the same scale")
-    ("scale-range", word("A B"), "smallest and largest scale of the transformation")
-    ("paper", "the paper's own settings: all pairs of points, Hausdorff distances, the "
-     "Euler grid, no cleaning; --mode global unless given")
-    ("no-cleaning", "keep stray points and noise in the search")
-    ("points", word("K"), "points that both clouds are simplified to (default 2000)")
-    ("angle-step", word("DEG"), "step of the Euler grid (default 30)")
-    ("rotations", word("SET"),
-     "rotations to try: even:N, N evenly spread ones (default even:1728), or euler, a "
-     "grid of angles")
-    ("density", word("KIND"),
-     "spread the simplified points by area: uniform (default), as the cloud's own "
-     "points: paper, or draw them: random")
-    ("device", word("NAME"),
-     "where to search: auto (default), the first OpenCL device if there is one, host, "
-     "or the OpenCL device whose name contains NAME")
-    ("list-devices", "list the OpenCL devices")
-    ("threads", word("N"), "threads on the CPU (default 0: as many as cores)")
-    ("iterations", word("N"), "iterations of the final ICP at most (default 300)")
-    ("time-limit", word("SECONDS"), "end after so long, with the best pose so far in the report")
     ("samples", word("N"), "points that stand for a mesh (default 10000)")
+    ("iterations", word("N"), "iterations of the final ICP at most (default 300)")
+    ("list-devices", "list the OpenCL devices")
     ("quiet", "no output but files and errors")
     ("version", "show the version")
     ("help,h", "show this help");
   // clang-format on
-  return options;
-}
-
-/** Read the number that an option has. */
-double
-number(const std::string& option,
-       const std::string& value,
-       double least,
-       double most,
-       const char* remedy)
-{
-  double number;
-  if (!boost::conversion::try_lexical_convert(value, number) ||
-      !(number >= least && number <= most))
-    throw UsageError(option, value, remedy);
-  return number;
-}
-
-/** Read the whole number that an option has. */
-unsigned int
-wholeNumber(const std::string& option,
-            const std::string& value,
-            double least,
-            double most,
-            const char* remedy)
-{
-  const double result = number(option, value, least, most, remedy);
-  if (result != std::floor(result))
-    throw UsageError(option, value, remedy);
-  return static_cast<unsigned int>(result);
-}
-
-/** Calls a function with the value of an option that was given. */
-template <typename Function>
-void
-ifGiven(const po::variables_map& values, const std::string& option, Function function)
-{
-  if (values.count(option))
-    function(values[option].as<std::string>());
+  return options.add(settingOptions());
 }
 
 /** The file that an option names; empty if it was not given. */
@@ -115,94 +49,10 @@ fileName(const po::variables_map& values, const std::string& option)
   std::string name;
   ifGiven(values, option, [&](const auto& value) {
     if (value.empty())
-      throw UsageError(option, "''", "name a file");
+      throw UsageError(option, value, "name a file");
     name = value;
   });
   return name;
-}
-
-pcl::kss::Mode
-modeOf(const std::string& name)
-{
-  using pcl::kss::Mode;
-  const std::map<std::string, Mode> modes = {{"auto", Mode::AUTOMATIC},
-                                             {"global", Mode::GLOBAL_GLOBAL},
-                                             {"partial", Mode::PARTIAL_GLOBAL},
-                                             {"overlap", Mode::PARTIAL_PARTIAL}};
-  const auto found = modes.find(name);
-  if (found == modes.end())
-    throw UsageError("mode", name, "use auto, global, partial or overlap");
-  return found->second;
-}
-
-pcl::kss::Density
-densityOf(const std::string& name)
-{
-  using pcl::kss::Density;
-  const std::map<std::string, Density> densities = {{"uniform", Density::UNIFORM},
-                                                    {"paper", Density::PAPER},
-                                                    {"random", Density::RANDOM}};
-  const auto found = densities.find(name);
-  if (found == densities.end())
-    throw UsageError("density", name, "use uniform, paper or random");
-  return found->second;
-}
-
-pcl::kss::Settings
-settingsOf(const po::variables_map& values)
-{
-  pcl::kss::Settings settings;
-  ifGiven(values, "mode", [&](const auto& value) { settings.mode = modeOf(value); });
-  if (values.count("paper"))
-    settings = pcl::kss::paperSettings(settings);
-  if (values.count("no-cleaning"))
-    settings.clean = false;
-  settings.estimate_scale = values.count("rigid") == 0;
-  ifGiven(values, "scale-range", [&](const auto& value) {
-    const char* remedy = "use two numbers from 1e-6 to 1e6, the smaller one first";
-    const auto space = value.find(' ');
-    if (space == std::string::npos)
-      throw UsageError("scale-range", value, remedy);
-    // from micrometres to metres and back; beyond, single precision has no digits left
-    const double most = 1e6;
-    settings.smallest_scale =
-        number("scale-range", value.substr(0, space), 1.0 / most, most, remedy);
-    settings.largest_scale = number("scale-range", value.substr(space + 1),
-                                    settings.smallest_scale, most, remedy);
-  });
-  ifGiven(values, "points", [&](const auto& value) {
-    settings.sample_points =
-        wholeNumber("points", value, 20, 1e6, "use a whole number from 20 to 1000000");
-  });
-  ifGiven(values, "angle-step", [&](const auto& value) {
-    settings.rotation_set = pcl::kss::RotationSet::EULER;
-    settings.angle_step =
-        number("angle-step", value, 3, 180, "use degrees from 3 to 180") * M_PI / 180.0;
-  });
-  ifGiven(values, "rotations", [&](const std::string& value) {
-    const char* remedy = "use euler or even:N, N a whole number from 1 to 100000";
-    if (value.compare(0, 5, "even:") == 0) {
-      settings.rotation_set = pcl::kss::RotationSet::EVEN;
-      settings.even_rotations =
-          wholeNumber("rotations", value.substr(5), 1, 1e5, remedy);
-    }
-    else if (value == "euler")
-      settings.rotation_set = pcl::kss::RotationSet::EULER;
-    else
-      throw UsageError("rotations", value, remedy);
-  });
-  ifGiven(values, "density",
-          [&](const auto& value) { settings.density = densityOf(value); });
-  ifGiven(values, "device", [&](const auto& value) {
-    if (value.empty())
-      throw UsageError("device", "''", "use auto, host or a name of --list-devices");
-    settings.device = value;
-  });
-  ifGiven(values, "threads", [&](const auto& value) {
-    settings.threads = wholeNumber("threads", value, 0, 1024,
-                                   "use a whole number up to 1024; 0: all cores");
-  });
-  return settings;
 }
 
 /** The command line in words, the two values of --scale-range in one: an option has
@@ -267,16 +117,10 @@ parseOptions(int argc, const char* const* argv)
   options.transform = fileName(values, "transform");
   options.report = fileName(values, "report");
   ifGiven(values, "samples", [&](const auto& value) {
-    options.samples = wholeNumber("samples", value, 20, 1e9,
-                                  "use a whole number from 20 to 1000000000");
-  });
-  ifGiven(values, "time-limit", [&](const auto& value) {
-    options.limits.seconds = number("time-limit", value, 1e-3, 1e9,
-                                    "use a number of seconds from 0.001 to 1e9");
+    options.samples = valueOf(samples_bounds, "samples", value);
   });
   ifGiven(values, "iterations", [&](const auto& value) {
-    options.limits.iterations = static_cast<int>(wholeNumber(
-        "iterations", value, 1, 1e6, "use a whole number from 1 to 1000000"));
+    options.iterations = valueOf(iterations_bounds, "iterations", value);
   });
   options.quiet = values.count("quiet") > 0;
   options.settings = settingsOf(values);

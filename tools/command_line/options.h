@@ -4,8 +4,6 @@
 
 #pragma once
 
-#include "registration.h"
-
 #include <pcl/registration/kss/settings.h>
 
 #include <stdexcept>
@@ -28,8 +26,8 @@ struct Options {
   bool quiet = false;
   /** \brief How to register. */
   pcl::kss::Settings settings;
-  /** \brief When to end at the latest. */
-  Limits limits;
+  /** \brief Iterations of the final ICP at most; 0: as many as the library allows. */
+  int iterations = 0;
 };
 
 /** \brief Read the command line.

@@ -82,7 +82,7 @@ registerWithProgress(const Geometry& source, const Geometry& target, Options opt
     };
   return registerClouds(pointsOf(source, options.samples),
                         pointsOf(target, options.samples), options.settings,
-                        options.limits);
+                        options.iterations);
 }
 
 /** Say how many points were left out, far away from all others. */

@@ -44,7 +44,7 @@ Result
 registerClouds(const Points& source,
                const Points& target,
                const pcl::kss::Settings& settings,
-               const Limits& limits)
+               int iterations)
 {
   const auto start = std::chrono::steady_clock::now();
   const Eigen::Vector3d source_origin =
@@ -54,9 +54,8 @@ registerClouds(const Points& source,
 
   Registration registration;
   registration.setSettings(settings);
-  registration.setTimeLimit(limits.seconds);
-  if (limits.iterations > 0)
-    registration.setMaximumIterations(limits.iterations);
+  if (iterations > 0)
+    registration.setMaximumIterations(iterations);
   const Cloud::Ptr source_cloud = localCloud(source, source_origin);
   const Cloud::Ptr target_cloud = localCloud(target, target_origin);
   registration.setInputSource(source_cloud);
@@ -76,6 +75,7 @@ registerClouds(const Points& source,
   result.confidence = registration.getConfidence();
   result.ambiguous = registration.isAmbiguous();
   result.mode = registration.getFoundMode();
+  result.search = pcl::kss::searchOf(settings);
   result.fitness = registration.getFitnessScore();
   // those that floats cannot hold are farther away still
   const auto far = registration.getNumberOfFarPoints();

@@ -39,6 +39,8 @@ struct Result {
   bool ambiguous;
   /** \brief Which parts of the object the clouds show. */
   pcl::kss::Mode mode;
+  /** \brief How the candidates were searched. */
+  pcl::kss::Search search;
   /** \brief The mean squared distance of the source's points from the target. */
   double fitness;
   /** \brief How many points of each cloud were left out, too far away from the others.
@@ -49,22 +51,15 @@ struct Result {
   double seconds;
 };
 
-/** \brief When a registration ends at the latest. */
-struct Limits {
-  /** \brief Seconds of wall time; 0: as long as it takes. */
-  double seconds = 0.0;
-  /** \brief Iterations of the final ICP; 0: as many as the library allows. */
-  int iterations = 0;
-};
-
 /** \brief Register two clouds.
  * \param[in] source at least one point finite
  * \param[in] target at least one point finite
+ * \param[in] iterations of the final ICP at most; 0: as many as the library allows
  */
 Result
 registerClouds(const Points& source,
                const Points& target,
                const pcl::kss::Settings& settings,
-               const Limits& limits);
+               int iterations);
 
 } // namespace tool

@@ -5,6 +5,7 @@
 #include "report.h"
 
 #include <pcl/registration/kss/result.h>
+#include <pcl/registration/kss/settings_text.h>
 
 #include <nlohmann/json.hpp>
 
@@ -49,19 +50,13 @@ table(const Eigen::Matrix4d& matrix)
   return text.str();
 }
 
-const char*
-nameOf(pcl::kss::Mode mode)
+/** A value of an enumeration by the word that the command line has for it. */
+template <auto member, typename Value>
+std::string
+wordOf(Value value)
 {
-  switch (mode) {
-  case pcl::kss::Mode::GLOBAL_GLOBAL:
-    return "global";
-  case pcl::kss::Mode::PARTIAL_GLOBAL:
-    return "partial";
-  case pcl::kss::Mode::PARTIAL_PARTIAL:
-    return "overlap";
-  default:
-    return "auto";
-  }
+  namespace setting = pcl::kss::setting;
+  return valueText(setting::rowOf<member>(), value, setting::For::COMMAND_LINE);
 }
 
 /** What a mode found says about the clouds. */
@@ -117,7 +112,7 @@ reportText(const Result& result)
   if (!result.poses.empty()) {
     report["transformation"] = toJSON(result.poses.front().transformation);
     report["scale"] = result.scale;
-    report["mode"] = nameOf(result.mode);
+    report["mode"] = wordOf<&pcl::kss::Settings::mode>(result.mode);
     report["overlap"] = toJSON(result.poses.front().overlap);
     report["score"] = result.poses.front().overlap.score;
     report["fitness"] = result.fitness;
@@ -127,6 +122,7 @@ reportText(const Result& result)
                                       {"overlap", toJSON(pose.overlap)},
                                       {"score", pose.overlap.score}});
   report["far_points"] = {result.far_points.source, result.far_points.target};
+  report["search"] = wordOf<&pcl::kss::Settings::search>(result.search);
   report["device"] = result.device;
   for (const auto& stage : result.stages)
     report["seconds"][stage.stage] = stage.seconds;
@@ -147,7 +143,8 @@ summaryText(const Result& result)
        << inWords(result.mode) << ")"
        << "\nSure:     " << percent(result.confidence)
        << (result.ambiguous ? ", but another pose is about as good (see --report)" : "")
-       << "\nTime:     " << result.seconds << " s on " << result.device << '\n';
+       << "\nTime:     " << result.seconds << " s on " << result.device << ", search "
+       << wordOf<&pcl::kss::Settings::search>(result.search) << '\n';
   return text.str();
 }
 

@@ -162,28 +162,26 @@ public:
   registerVisualizationCallback(
       std::function<UpdateVisualizerCallbackSignature>& callback);
 
-  /** \brief Set everything about the search at once; values that a setter would refuse
-   * are refused here, too.
+  /** \brief Set all that is in the table of settings (settings_table.h) at once. A value
+   * that is out of bounds is refused: the one before stays, and an error is printed.
    *
    * setSettings(kss::paperSettings(getSettings())) is the paper's own method.
    */
   void
   setSettings(const kss::Settings& settings);
 
-  /** \brief Get everything about the search. */
+  /** \brief Get all settings. */
   const kss::Settings&
   getSettings() const
   {
     return settings_;
   }
 
-  /** \brief Set which parts of the object the clouds show (default: AUTOMATIC, which
-   * tries all and takes the best).
-   */
+  /** \brief Set which parts of the object the clouds show. */
   void
   setMode(kss::Mode mode)
   {
-    settings_.mode = mode;
+    set(&kss::Settings::mode, mode);
   }
 
   /** \brief Get which parts of the object the clouds were said to show. */
@@ -193,129 +191,13 @@ public:
     return settings_.mode;
   }
 
-  /** \brief Set whether stray points are left out and heavy noise is averaged in the
-   * search (default: true). The final ICP always gets the clouds as they are.
-   */
-  void
-  setCleaning(bool clean)
-  {
-    settings_.clean = clean;
-  }
-
-  /** \brief Get whether the clouds are cleaned for the search. */
-  bool
-  getCleaning() const
-  {
-    return settings_.clean;
-  }
-
-  /** \brief Set the number of points k that both clouds are simplified to (default
-   * 2000). It shrinks by itself for clouds too small to be evened out at k points.
-   * \param[in] points at least 20
-   */
-  void
-  setNumberOfSamplePoints(unsigned int points);
-
-  /** \brief Get the number of points that both clouds are simplified to. */
-  unsigned int
-  getNumberOfSamplePoints() const
-  {
-    return settings_.sample_points;
-  }
-
-  /** \brief Set how the simplification spreads its points (default: by area). */
-  void
-  setDensity(kss::Density density)
-  {
-    settings_.density = density;
-  }
-
-  /** \brief Get how the simplification spreads its points. */
-  kss::Density
-  getDensity() const
-  {
-    return settings_.density;
-  }
-
-  /** \brief Set which rotations are tried (default: evenly spread ones). */
-  void
-  setRotationSet(kss::RotationSet set)
-  {
-    settings_.rotation_set = set;
-  }
-
-  /** \brief Get which rotations are tried. */
-  kss::RotationSet
-  getRotationSet() const
-  {
-    return settings_.rotation_set;
-  }
-
-  /** \brief Set the step theta of the Euler grid (default pi/6: 1728 rotations).
-   * \param[in] radians in [0.05, pi]; rounded so that steps fill the circle, and small
-   * steps cost: the number of rotations is (2 pi / theta) cubed
-   */
-  void
-  setAngleStep(double radians);
-
-  /** \brief Get the step of the Euler grid in radians. */
-  double
-  getAngleStep() const
-  {
-    return settings_.angle_step;
-  }
-
-  /** \brief Set the number of rotations in the even set (default 1728).
-   * \param[in] rotations in [1, 100000]
-   */
-  void
-  setNumberOfEvenRotations(unsigned int rotations);
-
-  /** \brief Get the number of rotations in the even set. */
-  unsigned int
-  getNumberOfEvenRotations() const
-  {
-    return settings_.even_rotations;
-  }
-
-  /** \brief Set the edge of the kernel of rotations in which a local minimum is the
-   * smallest (default 3). In the even set the kernel is a ball on SO(3) as wide as so
-   * many rotations; in the Euler grid an even number counts as the next odd one.
-   * \param[in] edge at least 3
-   */
-  void
-  setLocalMinimumKernel(unsigned int edge);
-
-  /** \brief Get the edge of the local minimum kernel. */
-  unsigned int
-  getLocalMinimumKernel() const
-  {
-    return settings_.local_minimum_kernel;
-  }
-
-  /** \brief Set Q_the: with an energy above it after ICP, the other local minima are
-   * refined too. The default 0 refines them always; the paper's 0.001, in its units, is
-   * below what the sampling alone causes.
-   * \param[in] threshold the energy, as a fraction of the target's root mean square
-   * radius; at least 0
-   */
-  void
-  setAdditionalProcessThreshold(double threshold);
-
-  /** \brief Get Q_the. */
-  double
-  getAdditionalProcessThreshold() const
-  {
-    return settings_.additional_process_threshold;
-  }
-
-  /** \brief Set whether the relative scale is estimated (default: true). Otherwise the
-   * result has exactly the guess's scale, or 1 without a guess.
+  /** \brief Set whether the relative scale is estimated. Otherwise the result has exactly
+   * the guess's scale, or 1 without a guess.
    */
   void
   setScaleEstimation(bool estimate)
   {
-    settings_.estimate_scale = estimate;
+    set(&kss::Settings::estimate_scale, estimate);
   }
 
   /** \brief Get whether the relative scale is estimated. */
@@ -325,7 +207,7 @@ public:
     return settings_.estimate_scale;
   }
 
-  /** \brief Set the bounds of the scale where it is estimated (default: none).
+  /** \brief Set the bounds of the scale where it is estimated.
    * \param[in] smallest positive, or 0 for no bound
    * \param[in] largest at least \a smallest; may be infinite
    */
@@ -346,7 +228,7 @@ public:
     return settings_.largest_scale;
   }
 
-  /** \brief Set where the search runs (default "auto").
+  /** \brief Set where the search runs.
    * \param[in] device "auto" for the first OpenCL device, GPUs first, or the host, with
    * a warning, where there is none; "host" for no OpenCL; otherwise the OpenCL device
    * whose name contains \a device, and align() fails where there is none.
@@ -354,7 +236,7 @@ public:
   void
   setDevice(const std::string& device)
   {
-    settings_.device = device;
+    set(&kss::Settings::device, device);
   }
 
   /** \brief Get where the search was asked to run. */
@@ -364,14 +246,13 @@ public:
     return settings_.device;
   }
 
-  /** \brief Set the number of threads on the host and on OpenCL CPU devices.
-   * \param[in] threads 0 (default) means as many as there are cores. The result does
-   * not depend on it.
+  /** \brief Set the number of threads on the host and on OpenCL CPU devices; 0: as many
+   * as there are cores. The result does not depend on it.
    */
   void
   setNumberOfThreads(unsigned int threads)
   {
-    settings_.threads = threads;
+    set(&kss::Settings::threads, threads);
   }
 
   /** \brief Get the number of threads; 0: as many as there are cores. */
@@ -381,14 +262,13 @@ public:
     return settings_.threads;
   }
 
-  /** \brief Set how many points of the source take part in the final ICP.
-   * \param[in] points 10000 by default, spread over the source; 0: all. The target
-   * takes part as it is.
+  /** \brief Set how many points of the source, spread over it, take part in the final
+   * ICP; 0: all. The target takes part as it is.
    */
   void
   setNumberOfICPPoints(unsigned int points)
   {
-    settings_.icp_points = points;
+    set(&kss::Settings::icp_points, points);
   }
 
   /** \brief Get how many points of the source take part in the final ICP; 0: all. */
@@ -398,32 +278,36 @@ public:
     return settings_.icp_points;
   }
 
-  /** \brief Set the confidence from which on hasConverged() is true (default 0.5).
-   * \param[in] confidence in [0, 1]
-   */
+  /** \brief Set the confidence, in [0, 1], from which on hasConverged() is true. */
   void
-  setMinimumConfidence(double confidence);
+  setMinimumConfidence(double confidence)
+  {
+    set(&kss::Settings::minimum_confidence, confidence);
+  }
 
   /** \brief Get the confidence from which on hasConverged() is true. */
   double
   getMinimumConfidence() const
   {
-    return minimum_confidence_;
+    return settings_.minimum_confidence;
   }
 
   /** \brief Set how long align() may take. It then ends with the best pose so far, not
    * converged, within some two tenths of a second; only the tree that PCL builds of a
    * new target is not interrupted (0.4 s for a million points).
-   * \param[in] seconds of wall time; 0 (default): as long as it takes
+   * \param[in] seconds of wall time; 0: as long as it takes
    */
   void
-  setTimeLimit(double seconds);
+  setTimeLimit(double seconds)
+  {
+    set(&kss::Settings::time_limit, seconds);
+  }
 
   /** \brief Get how long align() may take, in seconds; 0: as long as it takes. */
   double
   getTimeLimit() const
   {
-    return time_limit_;
+    return settings_.time_limit;
   }
 
   /** \brief End the align() that is running, as if its time limit had passed: from
@@ -584,10 +468,14 @@ private:
     std::shared_ptr<Run> run;
   };
 
-  /** \brief Take a value, or say why it is refused and keep the old one. */
+  /** \brief Take settings; say which are refused, and keep those before. */
+  void
+  take(const kss::Settings& asked);
+
+  /** \brief Take a single setting, or say why it is refused and keep the one before. */
   template <typename Value>
   void
-  set(Value& setting, const Value& value, bool sensible, const char* refusal);
+  set(Value kss::Settings::*setting, const Value& value);
 
   /** \brief Apply a similarity; normals take the pure rotation, points that are not
    * finite stay.
@@ -672,8 +560,6 @@ private:
   kss::Settings settings_;
   std::unique_ptr<kss::Alignment> alignment_; ///< keeps what the next align() can use
   kss::Stages stages_;
-  double minimum_confidence_ = 0.5;
-  double time_limit_ = 0.0;
   kss::StopSignal stop_;
   bool source_is_output_ = false;
 

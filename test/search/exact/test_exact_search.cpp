@@ -5,6 +5,7 @@
 #include "poses.h"
 
 #include "evaluators/bounds.h"
+#include "search/candidate_search.h"
 #include "search/exact/exact_search.h"
 #include <pcl/registration/kss/devices.h>
 #include "geometry/pre_shape.h"
@@ -83,7 +84,7 @@ protected:
     settings_.device = GetParam();
     if (settings_.device == "auto" && openCLDeviceNames().empty())
       GTEST_SKIP() << "There is no OpenCL device on this machine.";
-    settings_.search = Search::BRUTE_FORCE;
+    settings_.search = brute_force;
   }
 
   Settings settings_;

@@ -78,7 +78,7 @@ void
 KSSICP<PointSource, PointTarget, Scalar>::align(PointCloudSource& output,
                                                 const Matrix4& guess)
 {
-  stop_.restart(time_limit_);
+  stop_.restart(settings_.time_limit);
   const kss::HeedingSignal heeding(&stop_);
   const PointCloudSourceConstPtr source = input_;
   const bool in_place = source.get() == &output;
@@ -142,7 +142,7 @@ KSSICP<PointSource, PointTarget, Scalar>::computeTransformation(
     PointCloudSource& output, const Matrix4& guess)
 {
   if (kss::heededSignal() != &stop_) // called by PCL's own align()
-    stop_.restart(time_limit_);
+    stop_.restart(settings_.time_limit);
   const kss::HeedingSignal heeding(&stop_);
   try {
     registerClouds(guess);
@@ -249,7 +249,7 @@ try {
   for (int runs = 0; runs < kss::most_final_icps && !contenders.front().run; ++runs) {
     // where nothing fits, one run is enough to say so
     if (runs > 0 &&
-        kss::confidenceOf(contenders.front().pose.overlap) < minimum_confidence_)
+        kss::confidenceOf(contenders.front().pose.overlap) < settings_.minimum_confidence)
       break;
     contenders.front() = finalICP(source, scorer, contenders.front().pose);
     rank(contenders);
@@ -369,7 +369,7 @@ KSSICP<PointSource, PointTarget, Scalar>::judgeResult(const std::string& stopped
     failure_ = {kss::FailureCause::UNSETTLED, "The final ICP still moved after " +
                                                   std::to_string(nr_iterations_) +
                                                   " iterations; allow more of them."};
-  else if (getConfidence() < minimum_confidence_)
+  else if (getConfidence() < settings_.minimum_confidence)
     failure_ = {kss::FailureCause::NO_FIT, kss::misfitAt(getOverlap())};
   converged_ = failure_.cause == kss::FailureCause::NONE;
   if (!converged_)
@@ -489,114 +489,45 @@ KSSICP<PointSource, PointTarget, Scalar>::getFoundMode() const
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::take(const kss::Settings& asked)
+{
+  const kss::CheckedSettings checked = kss::checked(asked, settings_);
+  for (const std::string& refusal : checked.refusals)
+    PCL_ERROR("[pcl::%s] %s\n", getClassName().c_str(), refusal.c_str());
+  settings_ = checked.settings;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
 template <typename Value>
 void
-KSSICP<PointSource, PointTarget, Scalar>::set(Value& setting,
-                                              const Value& value,
-                                              bool sensible,
-                                              const char* refusal)
+KSSICP<PointSource, PointTarget, Scalar>::set(Value kss::Settings::*setting,
+                                              const Value& value)
 {
-  if (sensible)
-    setting = value;
-  else
-    PCL_ERROR("[pcl::%s::%s\n", getClassName().c_str(), refusal);
-}
-
-template <typename PointSource, typename PointTarget, typename Scalar>
-void
-KSSICP<PointSource, PointTarget, Scalar>::setNumberOfSamplePoints(unsigned int points)
-{
-  set(settings_.sample_points, points, points >= 20,
-      "setNumberOfSamplePoints] At least 20 points are needed.");
-}
-
-template <typename PointSource, typename PointTarget, typename Scalar>
-void
-KSSICP<PointSource, PointTarget, Scalar>::setAngleStep(double radians)
-{
-  set(settings_.angle_step, radians, radians >= 0.05 && radians <= M_PI,
-      "setAngleStep] The step must lie between 0.05 and pi.");
-}
-
-template <typename PointSource, typename PointTarget, typename Scalar>
-void
-KSSICP<PointSource, PointTarget, Scalar>::setNumberOfEvenRotations(
-    unsigned int rotations)
-{
-  set(settings_.even_rotations, rotations, rotations >= 1 && rotations <= 100000,
-      "setNumberOfEvenRotations] The number must lie between 1 and 100000.");
-}
-
-template <typename PointSource, typename PointTarget, typename Scalar>
-void
-KSSICP<PointSource, PointTarget, Scalar>::setLocalMinimumKernel(unsigned int edge)
-{
-  set(settings_.local_minimum_kernel, edge, edge >= 3,
-      "setLocalMinimumKernel] The edge must be at least 3.");
-}
-
-template <typename PointSource, typename PointTarget, typename Scalar>
-void
-KSSICP<PointSource, PointTarget, Scalar>::setAdditionalProcessThreshold(
-    double threshold)
-{
-  set(settings_.additional_process_threshold, threshold, threshold >= 0.0,
-      "setAdditionalProcessThreshold] The threshold must not be negative.");
+  kss::Settings asked = settings_;
+  asked.*setting = value;
+  take(asked);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 void
 KSSICP<PointSource, PointTarget, Scalar>::setScaleRange(double smallest, double largest)
 {
-  if (smallest >= 0.0 && smallest <= largest && largest > 0.0) {
-    settings_.smallest_scale = smallest;
-    settings_.largest_scale = largest;
-  }
-  else
-    PCL_ERROR("[pcl::%s::setScaleRange] The smallest scale must be at least 0, and no "
-              "more than the largest.\n",
-              getClassName().c_str());
-}
-
-template <typename PointSource, typename PointTarget, typename Scalar>
-void
-KSSICP<PointSource, PointTarget, Scalar>::setTimeLimit(double seconds)
-{
-  set(time_limit_, seconds, seconds >= 0.0,
-      "setTimeLimit] The limit must be at least 0 seconds; 0 is none.");
-}
-
-template <typename PointSource, typename PointTarget, typename Scalar>
-void
-KSSICP<PointSource, PointTarget, Scalar>::setMinimumConfidence(double confidence)
-{
-  set(minimum_confidence_, confidence, confidence >= 0.0 && confidence <= 1.0,
-      "setMinimumConfidence] The confidence must lie between 0 and 1.");
+  kss::Settings asked = settings_;
+  asked.smallest_scale = smallest;
+  asked.largest_scale = largest;
+  take(asked);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 void
 KSSICP<PointSource, PointTarget, Scalar>::setSettings(const kss::Settings& settings)
 {
-  const kss::Settings checked = settings_;
-  settings_ = settings;
-  settings_.sample_points = checked.sample_points;
-  settings_.search_points = checked.search_points;
-  settings_.angle_step = checked.angle_step;
-  settings_.even_rotations = checked.even_rotations;
-  settings_.local_minimum_kernel = checked.local_minimum_kernel;
-  settings_.additional_process_threshold = checked.additional_process_threshold;
-  settings_.smallest_scale = checked.smallest_scale;
-  settings_.largest_scale = checked.largest_scale;
-  setNumberOfSamplePoints(settings.sample_points);
-  set(settings_.search_points, settings.search_points,
-      settings.search_points >= 1 && settings.search_points <= 128,
-      "setSettings] The number of search points must lie between 1 and 128.");
-  setAngleStep(settings.angle_step);
-  setNumberOfEvenRotations(settings.even_rotations);
-  setLocalMinimumKernel(settings.local_minimum_kernel);
-  setAdditionalProcessThreshold(settings.additional_process_threshold);
-  setScaleRange(settings.smallest_scale, settings.largest_scale);
+  take(settings);
+  if (kss::searchOf(settings_) != settings_.search)
+    PCL_WARN("[pcl::%s] The search is exact: only with the truncated mean and spread "
+             "centres can it be screened.\n",
+             getClassName().c_str());
 }
 
 } // namespace pcl

@@ -4,10 +4,12 @@
 
 #pragma once
 
+#include <pcl/registration/kss/export.h>
+
 #include <functional>
 #include <limits>
 #include <string>
-#include <tuple>
+#include <vector>
 
 namespace pcl {
 namespace kss {
@@ -23,8 +25,7 @@ enum class Mode {
 /** \brief How the simplification spreads its points over the cloud. */
 enum class Density {
   UNIFORM, ///< by occupied area: uneven input density is evened out (default)
-  PAPER,   ///< by point count, (e5) of the paper: the input's density is kept
-  RANDOM   ///< not at all, any point may come: what the others are measured against
+  PAPER    ///< by point count, (e5) of the paper: the input's density is kept
 };
 
 /** \brief The candidate rotations {O}. */
@@ -52,9 +53,8 @@ enum class Search {
   SCREENED, ///< few points tell which candidates deserve a closer look, by look-ups in
             ///< distance fields: for TRUNCATED_MEAN and SPREAD centres, else as EXACT
             ///< (default)
-  EXACT,    ///< the same answer as brute force, by bounds from look-ups: from all
-            ///< pairs of points only where bounds decide nothing
-  BRUTE_FORCE ///< from all pairs of points: the reference
+  EXACT     ///< the minima that all pairs of points give, by bounds from look-ups: from
+            ///< all pairs only where bounds decide nothing
 };
 
 /** \brief Told how far a running registration has come.
@@ -64,96 +64,72 @@ enum class Search {
  */
 using ProgressCallback = std::function<void(const std::string& stage, double done)>;
 
-/** \brief Everything the initial alignment can be told. */
+/** \brief Everything that KSSICP can be told beyond what it inherits.
+ *
+ * What each of them means, its unit and its bounds are written down once, in the table of
+ * settings_table.h; README.md shows it.
+ */
 struct Settings {
-  /** What the clouds show. */
   Mode mode = Mode::AUTOMATIC;
-  /** Points k of a simplified cloud. */
-  unsigned int sample_points = 2000;
-  /** How the k points are spread. */
-  Density density = Density::UNIFORM;
-  /** Whether stray points are dropped and heavy noise is averaged before. */
-  bool clean = true;
-  /** Which rotations are tried. */
-  RotationSet rotation_set = RotationSet::EVEN;
-  /** Step theta of the Euler grid, in radians. */
-  double angle_step = 0.52359877559829887; // pi / 6
-  /** Number of rotations of the even set. */
-  unsigned int even_rotations = 1728;
-  /** Which centres are tried where a cloud may be incomplete. */
-  CenterSet center_set = CenterSet::SPREAD;
-  /** What is minimal at the right candidate. */
-  Energy energy = Energy::TRUNCATED_MEAN;
-  /** How the energy is computed. */
-  Search search = Search::SCREENED;
-  /** Points of each simplified cloud that take part in a screened search; 128 at most.
-   */
-  unsigned int search_points = 96;
-  /** Edge of the kernel of rotations in which a local minimum is the smallest, in
-   * steps. */
-  unsigned int local_minimum_kernel = 3;
-  /** Energy above which further local minima are refined, Q_the of (e12), as a fraction
-   * of the target's root mean square radius; 0: always. */
-  double additional_process_threshold = 0.0;
-  /** Whether the relative scale is unknown and estimated. */
   bool estimate_scale = true;
-  /** Smallest scale of the transformation where it is estimated. */
   double smallest_scale = 0.0;
-  /** Largest scale of the transformation where it is estimated. */
   double largest_scale = std::numeric_limits<double>::infinity();
-  /** Points of the source that take part in the final ICP on the target as it is; 0:
-   * all. */
+
+  bool clean = true;
+  unsigned int sample_points = 2000;
+  Density density = Density::UNIFORM;
+
+  RotationSet rotation_set = RotationSet::EVEN;
+  unsigned int even_rotations = 1728;
+  double angle_step = 0.52359877559829887; // pi / 6
+  CenterSet center_set = CenterSet::SPREAD;
+  Energy energy = Energy::TRUNCATED_MEAN;
+  Search search = Search::SCREENED;
+  unsigned int search_points = 96;
+  unsigned int local_minimum_kernel = 3;
+  double additional_process_threshold = 0.0;
+
   unsigned int icp_points = 10000;
-  /** "auto": the first OpenCL device, GPUs first, else the host; "host": no OpenCL;
-   * anything else: all OpenCL devices of the platform whose name contains it, else
-   * the device whose name does. */
+  double minimum_confidence = 0.5;
+  double time_limit = 0.0;
   std::string device = "auto";
-  /** Threads, on the host and on an OpenCL CPU device; 0: as many as there are cores.
-   */
   unsigned int threads = 0;
   /** Called as the work proceeds; may be empty. */
   ProgressCallback progress;
 };
 
-/** \brief Whether two settings ask for the same work; who is told of its progress, and
- * the ICP after it, aside. */
-inline bool
-sameWork(const Settings& a, const Settings& b)
-{
-  const auto work = [](const Settings& s) {
-    return std::tie(s.mode, s.sample_points, s.density, s.clean, s.rotation_set,
-                    s.angle_step, s.even_rotations, s.center_set, s.energy, s.search,
-                    s.search_points, s.local_minimum_kernel,
-                    s.additional_process_threshold, s.estimate_scale, s.smallest_scale,
-                    s.largest_scale, s.device, s.threads);
-  };
-  return work(a) == work(b);
-}
-
 /** \brief The settings of the paper: Hausdorff distances of all pairs of points, the
  * Euler grid, its centres, voxel quotas by count, clouds as they are.
  *
  * The mode becomes GLOBAL_GLOBAL where it was AUTOMATIC: the paper leaves the choice to
- * the user. Scale estimation, device, threads and progress stay.
+ * the user. Scale estimation, confidence, time limit, device, threads and progress stay.
  */
-inline Settings
-paperSettings(Settings settings)
-{
-  if (settings.mode == Mode::AUTOMATIC)
-    settings.mode = Mode::GLOBAL_GLOBAL;
-  settings.sample_points = 2000;
-  settings.density = Density::PAPER;
-  settings.clean = false;
-  settings.rotation_set = RotationSet::EULER;
-  settings.angle_step = Settings().angle_step;
-  settings.center_set = CenterSet::PAPER;
-  settings.icp_points = 0;
-  settings.energy = Energy::HAUSDORFF;
-  settings.search = Search::EXACT;
-  settings.local_minimum_kernel = 5;
-  settings.additional_process_threshold = 0.001;
-  return settings;
-}
+PCL_KSS_ICP_EXPORT Settings
+paperSettings(Settings settings);
+
+/** \brief Whether two settings ask Alignment for the same work; what comes after it, and
+ * who is told of its progress, aside. */
+PCL_KSS_ICP_EXPORT bool
+sameWork(const Settings& a, const Settings& b);
+
+/** \brief The search that runs: SCREENED is for TRUNCATED_MEAN and SPREAD centres, and
+ * otherwise becomes EXACT. */
+PCL_KSS_ICP_EXPORT Search
+searchOf(const Settings& settings);
+
+/** \brief Settings that are all within their bounds. */
+struct CheckedSettings {
+  Settings settings;
+  /** \brief A sentence on each value that was asked for and is out of bounds. */
+  std::vector<std::string> refusals;
+};
+
+/** \brief Take settings over, one by one; the bounds of the scale as a pair.
+ * \param[in] asked
+ * \param[in] before what stays where the value asked for is out of bounds
+ */
+PCL_KSS_ICP_EXPORT CheckedSettings
+checked(const Settings& asked, const Settings& before);
 
 } // namespace kss
 } // namespace pcl

@@ -1,0 +1,24 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include <pcl/registration/kss/settings.h>
+
+#include <boost/program_options/options_description.hpp>
+#include <boost/program_options/variables_map.hpp>
+
+namespace tool {
+
+/** \brief The options that set the settings, as the table of settings has them. */
+boost::program_options::options_description
+settingOptions();
+
+/** \brief The settings that options ask for.
+ * \throws UsageError naming the option that is wrong
+ */
+pcl::kss::Settings
+settingsOf(const boost::program_options::variables_map& values);
+
+} // namespace tool
