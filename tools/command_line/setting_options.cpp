@@ -84,7 +84,7 @@ addRotations(po::options_description& options)
   const auto& number = setting::rowOf<&Settings::even_rotations>();
   add(options, set.option,
       meaningText(set) + ", " + number.option.value + " (so many of them: " +
-          defaultOf(number) + ')');
+          defaultOf(number) + ") (" + defaultOf(set) + ')');
 }
 
 /** \copydoc addRotations */
