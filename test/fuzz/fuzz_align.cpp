@@ -127,8 +127,7 @@ change(pcl::kss::Settings& settings, Bytes& bytes)
   using namespace pcl::kss;
   static const Mode modes[] = {Mode::AUTOMATIC, Mode::GLOBAL_GLOBAL,
                                Mode::PARTIAL_GLOBAL, Mode::PARTIAL_PARTIAL};
-  static const Search searches[] = {Search::EXACT, brute_force,
-                                    Search::SCREENED};
+  static const Search searches[] = {Search::EXACT, brute_force, Search::SCREENED};
   static const Density densities[] = {Density::UNIFORM, Density::PAPER, random_points};
   static const double bounds[] = {0.0, 0.5,  1.0,   2.0,   1e-300, 1e-20,   1e-3,
                                   1e3, 1e20, 1e300, 1e308, -1.0,   infinity};

@@ -1,8 +1,8 @@
 /*
  * SPDX-License-Identifier: BSD-3-Clause
  *
- * The table of settings, and what follows from it: what KSSICP refuses, which settings ask
- * for the same work, and the README's table.
+ * The table of settings, and what follows from it: what KSSICP refuses, which settings
+ * ask for the same work, and the README's table.
  */
 
 #include <pcl/registration/kss/settings_text.h>
@@ -39,8 +39,8 @@ printed(const std::function<void()>& function)
 TEST(Settings, AreAllInTheTable)
 {
   // does not compile with another number of members: give a new one a row
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, progress] =
-      Settings();
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u,
+               progress] = Settings();
   constexpr std::size_t members = 21;
   EXPECT_EQ(members, std::tuple_size_v<decltype(setting::table)>);
   const std::set<const void*> addresses{&a, &b, &c, &d, &e, &f, &g, &h, &i, &j, &k,
@@ -193,8 +193,8 @@ TEST(KSSICP, RefusesNonsenseAndSaysWhy)
       {[](Settings& s) { s.smallest_scale = 3.0; }, "smallest_scale 3", "largest"},
       {[](Settings& s) { s.smallest_scale = nan; }, "smallest_scale nan", "at least 0"},
       {[](Settings& s) { s.largest_scale = nan; }, "largest_scale nan", "at least 0"},
-      {[](Settings& s) { s.smallest_scale = s.largest_scale = 0.0; },
-       "largest_scale 0", "above 0"}};
+      {[](Settings& s) { s.smallest_scale = s.largest_scale = 0.0; }, "largest_scale 0",
+       "above 0"}};
   KSSICP r;
   Settings before;
   before.sample_points = 123;

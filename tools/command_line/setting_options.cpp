@@ -83,8 +83,8 @@ addRotations(po::options_description& options)
   const auto& set = setting::rowOf<&Settings::rotation_set>();
   const auto& number = setting::rowOf<&Settings::even_rotations>();
   add(options, set.option,
-      meaningText(set) + ", " + number.option.value + " (so many of them: " +
-          defaultOf(number) + ')');
+      meaningText(set) + ", " + number.option.value +
+          " (so many of them: " + defaultOf(number) + ") (" + defaultOf(set) + ')');
 }
 
 /** \copydoc addRotations */
@@ -137,8 +137,9 @@ settingOptions()
 {
   po::options_description options("Settings");
   options.add_options()(
-      "paper", "the paper's own settings: all pairs of points, Hausdorff distances, the "
-               "grid of angles, no cleaning; --mode global unless given");
+      "paper",
+      "the paper's own settings: all pairs of points, Hausdorff distances, the "
+      "grid of angles, no cleaning; --mode global unless given");
   setting::forEach([&](const auto& row) {
     const std::string name = row.option.name;
     if (!setsTwo(name))

@@ -162,8 +162,10 @@ public:
   registerVisualizationCallback(
       std::function<UpdateVisualizerCallbackSignature>& callback);
 
-  /** \brief Set all that is in the table of settings (settings_table.h) at once. A value
-   * that is out of bounds is refused: the one before stays, and an error is printed.
+  /** \brief Set all that is in the table of settings (settings_table.h) at once. A
+   * value that is out of bounds is refused: the one before stays, and an error is
+   * printed. So is a warning where the search that was asked for is not the one that
+   * runs (kss::searchOf()).
    *
    * setSettings(kss::paperSettings(getSettings())) is the paper's own method.
    */
@@ -191,8 +193,8 @@ public:
     return settings_.mode;
   }
 
-  /** \brief Set whether the relative scale is estimated. Otherwise the result has exactly
-   * the guess's scale, or 1 without a guess.
+  /** \brief Set whether the relative scale is estimated. Otherwise the result has
+   * exactly the guess's scale, or 1 without a guess.
    */
   void
   setScaleEstimation(bool estimate)

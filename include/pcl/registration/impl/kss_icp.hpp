@@ -248,8 +248,8 @@ try {
   rank(contenders);
   for (int runs = 0; runs < kss::most_final_icps && !contenders.front().run; ++runs) {
     // where nothing fits, one run is enough to say so
-    if (runs > 0 &&
-        kss::confidenceOf(contenders.front().pose.overlap) < settings_.minimum_confidence)
+    if (runs > 0 && kss::confidenceOf(contenders.front().pose.overlap) <
+                        settings_.minimum_confidence)
       break;
     contenders.front() = finalICP(source, scorer, contenders.front().pose);
     rank(contenders);

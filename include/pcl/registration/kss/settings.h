@@ -66,8 +66,8 @@ using ProgressCallback = std::function<void(const std::string& stage, double don
 
 /** \brief Everything that KSSICP can be told beyond what it inherits.
  *
- * What each of them means, its unit and its bounds are written down once, in the table of
- * settings_table.h; README.md shows it.
+ * What each of them means, its unit and its bounds are written down once, in the table
+ * of settings_table.h; README.md shows it.
  */
 struct Settings {
   Mode mode = Mode::AUTOMATIC;
@@ -102,13 +102,14 @@ struct Settings {
  * Euler grid, its centres, voxel quotas by count, clouds as they are.
  *
  * The mode becomes GLOBAL_GLOBAL where it was AUTOMATIC: the paper leaves the choice to
- * the user. Scale estimation, confidence, time limit, device, threads and progress stay.
+ * the user. Scale estimation, confidence, time limit, device, threads and progress
+ * stay.
  */
 PCL_KSS_ICP_EXPORT Settings
 paperSettings(Settings settings);
 
-/** \brief Whether two settings ask Alignment for the same work; what comes after it, and
- * who is told of its progress, aside. */
+/** \brief Whether two settings ask Alignment for the same work; what comes after it,
+ * and who is told of its progress, aside. */
 PCL_KSS_ICP_EXPORT bool
 sameWork(const Settings& a, const Settings& b);
 

@@ -15,8 +15,9 @@
 namespace pcl {
 namespace kss {
 
-/** \brief The table of settings: what setters, setSettings(), the options of the command
- * line tool and README.md know of them. Their defaults are those of struct Settings.
+/** \brief The table of settings: what setters, setSettings(), the options of the
+ * command line tool and README.md know of them. Their defaults are those of struct
+ * Settings.
  */
 namespace setting {
 
@@ -104,7 +105,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Bounds<double> metres_in_micrometres{1e-6, 1e6};
 constexpr unsigned int unbounded = std::numeric_limits<unsigned int>::max();
 
-// clang-format off: a row reads as a row
+// a row is to read as a row
+// clang-format off
 
 /** \brief The settings, in the order in which people are told of them. */
 inline constexpr auto table = std::make_tuple(
@@ -118,8 +120,8 @@ inline constexpr auto table = std::make_tuple(
     Flag{
         {&Settings::estimate_scale, "estimate_scale", "setScaleEstimation",
          {"rigid", ""}, Part::ALIGNMENT,
-         "whether the scale of the transformation is estimated; else it is the guess's, "
-         "or 1"},
+         "whether the scale of the transformation is estimated; else it is that of the "
+         "guess, or 1"},
         "the clouds have the same scale"},
     Number<double>{
         {&Settings::smallest_scale, "smallest_scale", "setScaleRange",
@@ -138,7 +140,8 @@ inline constexpr auto table = std::make_tuple(
          "whether stray points are left out and heavy noise is averaged in the search"},
         "keep stray points and noise in the search"},
     Number<unsigned int>{
-        {&Settings::sample_points, "sample_points", "", {"points", "K"}, Part::ALIGNMENT,
+        {&Settings::sample_points, "sample_points", "", {"points", "K"},
+         Part::ALIGNMENT,
          "points that both clouds are simplified to; fewer for clouds too small to be "
          "evened out"},
         {20, unbounded, {"points"}},
@@ -158,9 +161,10 @@ inline constexpr auto table = std::make_tuple(
          Part::ALIGNMENT, "number of evenly spread rotations"},
         {1, 100000, {"rotations"}}},
     Number<double>{
-        {&Settings::angle_step, "angle_step", "", {"angle-step", "DEG"}, Part::ALIGNMENT,
-         "step of the grid of angles, rounded so that steps fill the circle; small ones "
-         "cost: (360 degrees / step) cubed rotations"},
+        {&Settings::angle_step, "angle_step", "", {"angle-step", "DEG"},
+         Part::ALIGNMENT,
+         "step of the grid of angles, rounded so that steps fill the circle; small "
+         "ones cost: (360 degrees / step) cubed rotations"},
         {0.05, 180 * degree, {"radians"}},
         {3 * degree, 180 * degree, {"degrees", degree}}},
     Choice<CenterSet, 2>{
@@ -221,7 +225,8 @@ inline constexpr auto table = std::make_tuple(
     Number<unsigned int>{
         {&Settings::threads, "threads", "setNumberOfThreads", {"threads", "N"},
          Part::ALIGNMENT,
-         "threads on the host and on an OpenCL CPU device; 0: as many as there are cores"},
+         "threads on the host and on an OpenCL CPU device; 0: as many as there are "
+         "cores"},
         {0, unbounded, {"threads"}},
         {0, 1024, {"threads"}}});
 
@@ -241,7 +246,8 @@ constexpr const auto&
 rowOf()
 {
   constexpr auto found = std::get<first>(table).member;
-  if constexpr (std::is_same_v<std::remove_const_t<decltype(found)>, decltype(member)>) {
+  if constexpr (std::is_same_v<std::remove_const_t<decltype(found)>,
+                               decltype(member)>) {
     if constexpr (found == member)
       return std::get<first>(table);
     else
