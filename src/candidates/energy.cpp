@@ -10,7 +10,7 @@ namespace kss {
 float
 energyOf(const DirectedDistances& distances, const Weights& weights, Energy energy)
 {
-  if (energy == Energy::HAUSDORFF)
+  if (isOfLargest(energy))
     return std::max(weights.source_to_target * distances.source_to_target,
                     weights.target_to_source * distances.target_to_source);
   return weights.source_to_target * distances.mean_source_to_target +

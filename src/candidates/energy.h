@@ -40,6 +40,14 @@ struct Weights {
   float source_to_target, target_to_source;
 };
 
+/** \brief Whether an energy is of the largest distances: these count however long they
+ * are, and a single point decides. */
+constexpr bool
+isOfLargest(Energy energy)
+{
+  return energy == Energy::HAUSDORFF;
+}
+
 /** \brief The energy of a candidate: E_d of (e9), E_cd of (e122), or what takes their
  * place. */
 float

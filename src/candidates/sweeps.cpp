@@ -102,7 +102,7 @@ private:
   float
   other() const
   {
-    return settings_.energy == Energy::HAUSDORFF ? 0.0f : neutral;
+    return isOfLargest(settings_.energy) ? 0.0f : neutral;
   }
 
   Weights

@@ -54,7 +54,7 @@ CandidateSearch::CandidateSearch(const Settings& settings)
 : settings_(settings)
 , limit_(static_cast<float>(reachOf(numberOfRotations(settings))))
 {
-  if (settings.energy == Energy::HAUSDORFF)
+  if (isOfLargest(settings.energy))
     limit_ = std::numeric_limits<float>::max();
   settings_.search = searchOf(settings);
   if (settings_.search == Search::SCREENED) {

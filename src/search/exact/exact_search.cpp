@@ -209,7 +209,7 @@ scopeOf(const Sweep& sweep, Energy energy, float limit, Eigen::Index points)
     scope.largest_shift = std::max(scope.largest_shift,
                                    std::max(1.0, scope.largest_scale) * center.norm());
   scope.limit = limit;
-  scope.beyond_limit = energy == Energy::HAUSDORFF;
+  scope.beyond_limit = isOfLargest(energy);
   scope.source_to_target = scope.target_to_source = false;
   for (const Weights& weights : sweep.energies) {
     scope.source_to_target |= weights.source_to_target != 0.0f;
@@ -219,7 +219,7 @@ scopeOf(const Sweep& sweep, Energy energy, float limit, Eigen::Index points)
   // force's work. Of means, all points must be bounded closely, of largest distances
   // but a few.
   const double size = sweep.candidates.size();
-  const double worth = energy == Energy::HAUSDORFF
+  const double worth = isOfLargest(energy)
                            ? std::max(100.0 * std::sqrt(size), 8192.0)
                            : std::max(400.0 * std::sqrt(size), 32768.0);
   scope.nodes = static_cast<std::size_t>(std::min(worth, size * points / 16.0));
