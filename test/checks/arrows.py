@@ -31,7 +31,8 @@ ARROWS = {
     "tools/command_line": ["tools/io"],
 }
 # What may reach the CL headers, be it by way of another header.
-OPENCL = re.compile(r"src/(opencl/.*|evaluators/(.*_opencl\..*|.*_of_devices\.h))")
+OPENCL = re.compile(r"src/(opencl/.*|evaluators/(.*_opencl\..*|.*_of_devices\.h|"
+                    r"kernel_arguments\.h))")
 # Made by the build from kernels/, and who it is for.
 GENERATED = {"kernels.h": "src/opencl", "pcl/registration/kss/export.h": PUBLIC}
 # Where includes are looked for, after the folder of the file itself.
