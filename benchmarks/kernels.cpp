@@ -59,7 +59,7 @@ countItems(benchmark::State& state, double items)
       static_cast<std::int64_t>(items * static_cast<double>(state.iterations())));
 }
 
-/** \brief Pairs of points, both directions at once: kernels/distances.cl. */
+/** \brief Pairs of points, both directions at once: kernels/pair_distances.cl. */
 void
 PairDistances(benchmark::State& state)
 {

@@ -8,7 +8,8 @@
 
 #include "evaluators/bounds.h"
 #include "evaluators/device_or_host.h"
-#include "evaluators/distance_evaluator.h"
+#include "evaluators/look_ups.h"
+#include "evaluators/pair_distances.h"
 #include "evaluators/shift_sums.h"
 
 #include <atomic>
