@@ -124,8 +124,7 @@ cellsBetween(const Points& cloud,
       std::array<Eigen::Vector3f, 8> corners, at_corner;
       for (int c = 0; c < 8; ++c) {
         const Eigen::Vector3i corner(x + (c & 1), y + ((c >> 1) & 1), z + (c >> 2));
-        const int node =
-            (corner.z() * nodes.y() + corner.y()) * nodes.x() + corner.x();
+        const int node = (corner.z() * nodes.y() + corner.y()) * nodes.x() + corner.x();
         corners[c] = corner.cast<float>();
         at_corner[c] = (cloud.col(nearest[node]) - grid.lower) / grid.edge;
       }

@@ -11,9 +11,9 @@
 namespace pcl {
 namespace kss {
 
-/** \brief A point of a cloud, and how much smaller the squared distance of the cloud can
- * be than that of the point, from anywhere in a cell: see kernels/bounding_cells.cl.
- * Lengths in cells.
+/** \brief A point of a cloud, and how much smaller the squared distance of the cloud
+ * can be than that of the point, from anywhere in a cell: see
+ * kernels/bounding_cells.cl. Lengths in cells.
  */
 struct BoundingCell {
   Eigen::Vector3f point;

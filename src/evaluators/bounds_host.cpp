@@ -124,8 +124,8 @@ private:
     std::vector<DistanceBounds> bounds(placements.size());
     inParallel(placements.size(), threads_, 64, [&](std::ptrdiff_t i) {
       const float scale = scaleFactorOf(placements[i]);
-      const DirectedBounds forth = boundsFrom(
-          probes.source, placements[i], target_cells_, interpolate, scale, limit);
+      const DirectedBounds forth = boundsFrom(probes.source, placements[i],
+                                              target_cells_, interpolate, scale, limit);
       const DirectedBounds back =
           boundsFrom(probes.target, inverseOf(placements[i]), source_cells_,
                      interpolate, 1.0f / scale, limit / scale);

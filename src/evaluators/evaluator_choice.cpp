@@ -118,7 +118,9 @@ makePairDistances(const Settings& settings)
   const unsigned int threads = settings.threads;
   return chosen<AnyDistances>(
       settings, [=] { return makeHostPairDistances(threads); },
-      [=, device = settings.device] { return makeOpenCLPairDistances(device, threads); });
+      [=, device = settings.device] {
+        return makeOpenCLPairDistances(device, threads);
+      });
 }
 
 std::unique_ptr<DistanceEvaluator>
@@ -138,9 +140,7 @@ makeBounds(const Settings& settings)
   const unsigned int threads = settings.threads;
   return chosen<AnyBounds>(
       settings, [=] { return makeHostBounds(threads); },
-      [=, device = settings.device] {
-        return makeOpenCLBounds(device, threads);
-      });
+      [=, device = settings.device] { return makeOpenCLBounds(device, threads); });
 }
 
 std::unique_ptr<ShiftSums>

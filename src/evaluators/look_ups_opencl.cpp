@@ -79,9 +79,7 @@ private:
 } // namespace
 
 std::unique_ptr<DistanceEvaluator>
-makeOpenCLLookUps(const std::string& device,
-                  unsigned int threads,
-                  unsigned int probes)
+makeOpenCLLookUps(const std::string& device, unsigned int threads, unsigned int probes)
 {
   return std::make_unique<DistancesOfDevices<DeviceLookUps>>(device, threads, probes);
 }

@@ -25,8 +25,8 @@ public:
   {
     limit_ = limit;
     target_ = tiledCloud(*program_, target);
-    source_ = homogeneousCloud(*program_,
-                               coordinateColumns(source, together).transpose());
+    source_ =
+        homogeneousCloud(*program_, coordinateColumns(source, together).transpose());
     source_points_ = static_cast<cl_uint>(source.cols());
   }
 
