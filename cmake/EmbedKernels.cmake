@@ -1,10 +1,43 @@
-# Writes OUTPUT, a header that holds each kernel file of KERNELS as a string named after it.
-#   cmake -DOUTPUT=kernels.h -DKERNELS="a.cl;b.cl" -P EmbedKernels.cmake
-set(text "#pragma once\n\nnamespace pcl {\nnamespace kss {\nnamespace kernels {\n\n")
+# Writes OUTPUT, a header that holds the kernel files of KERNELS as one string. An #include
+# names a file beside the one that it stands in; each file is there once, where it comes
+# first.
+#   cmake -DOUTPUT=kernels.h "-DKERNELS=a.cl;b.cl" -P EmbedKernels.cmake
+cmake_minimum_required(VERSION 3.18)
+
+# The whole begins as an #include of each file, and is complete when none is left.
+set(source "\n")
 foreach(kernel IN LISTS KERNELS)
-  get_filename_component(name "${kernel}" NAME_WE)
-  file(READ "${kernel}" source)
-  string(APPEND text "inline constexpr char ${name}[] = R\"kernel(${source})kernel\";\n\n")
+  string(APPEND source "#include \"${kernel}\"\n")
 endforeach()
-string(APPEND text "} // namespace kernels\n} // namespace kss\n} // namespace pcl\n")
-file(WRITE "${OUTPUT}" "${text}")
+set(included "")
+while(source MATCHES "\n#include \"([^\"\n]+)\"")
+  set(include "${CMAKE_MATCH_0}")
+  get_filename_component(file "${CMAKE_MATCH_1}" ABSOLUTE)
+  set(text "")
+  if(NOT file IN_LIST included)
+    list(APPEND included "${file}")
+    if(NOT EXISTS "${file}")
+      message(FATAL_ERROR "A kernel includes ${file}, which does not exist")
+    endif()
+    file(READ "${file}" text)
+    get_filename_component(folder "${file}" DIRECTORY)
+    string(REPLACE "\n#include \"" "\n#include \"${folder}/" text "\n${text}")
+  endif()
+  string(FIND "${source}" "${include}" begin)
+  string(LENGTH "${include}" length)
+  math(EXPR end "${begin} + ${length}")
+  string(SUBSTRING "${source}" 0 ${begin} before)
+  string(SUBSTRING "${source}" ${end} -1 after)
+  set(source "${before}${text}${after}")
+endwhile()
+file(WRITE "${OUTPUT}" "#pragma once
+
+namespace pcl {
+namespace kss {
+
+/** \\brief The source of all kernels. */
+inline constexpr char kernels[] = R\"kernel(${source})kernel\";
+
+} // namespace kss
+} // namespace pcl
+")

@@ -6,6 +6,8 @@
  * Algorithm 2 of the paper; vectors across eight points, their coordinates apart.
  */
 
+#include "common.cl"
+
 /* The distances of eight positions, in cells from the lower corner of the grid; beyond
  * it, those of its border. */
 inline float8
@@ -19,22 +21,6 @@ look_up(global const float* restrict field, int4 size, float8 x, float8 y, float
       convert_int8((cell_z * (float)size.y + cell_y) * (float)size.x + cell_x);
   return (float8)(field[cell.s0], field[cell.s1], field[cell.s2], field[cell.s3],
                   field[cell.s4], field[cell.s5], field[cell.s6], field[cell.s7]);
-}
-
-inline float
-largest_of(float8 v)
-{
-  const float4 a = max(v.lo, v.hi);
-  const float2 b = max(a.lo, a.hi);
-  return max(b.x, b.y);
-}
-
-inline float
-sum_of(float8 v)
-{
-  const float4 a = v.lo + v.hi;
-  const float2 b = a.lo + a.hi;
-  return b.x + b.y;
 }
 
 /* The largest and the mean distance of points placed by three rows of a matrix. */
@@ -52,25 +38,23 @@ distances_from(global const float8* restrict xs,
                float limit)
 {
   const uint8 lane = (uint8)(0, 1, 2, 3, 4, 5, 6, 7);
-  /* from lengths to cells */
-  row_x = (row_x - (float4)(0.0f, 0.0f, 0.0f, lower.x)) * lower.w;
-  row_y = (row_y - (float4)(0.0f, 0.0f, 0.0f, lower.y)) * lower.w;
-  row_z = (row_z - (float4)(0.0f, 0.0f, 0.0f, lower.z)) * lower.w;
+  row_x = to_cells(row_x, lower.x, lower.w);
+  row_y = to_cells(row_y, lower.y, lower.w);
+  row_z = to_cells(row_z, lower.z, lower.w);
   float8 farthest = (float8)(0.0f);
   float8 sums = (float8)(0.0f);
   for (uint t = 0; t < (points + 7) / 8; ++t) {
     const float8 x = xs[t];
     const float8 y = ys[t];
     const float8 z = zs[t];
-    const float8 d = look_up(field, size,
-                             row_x.x * x + row_x.y * y + row_x.z * z + row_x.w,
-                             row_y.x * x + row_y.y * y + row_y.z * z + row_y.w,
-                             row_z.x * x + row_z.y * y + row_z.z * z + row_z.w);
+    const float8 d =
+        look_up(field, size, place_eight(row_x, x, y, z), place_eight(row_y, x, y, z),
+                place_eight(row_z, x, y, z));
     farthest = max(farthest, d);
     /* the copies that fill up the last tile do not count */
     sums += select((float8)(0.0f), min(d, limit), lane + 8 * t < (uint8)(points));
   }
-  return (float2)(largest_of(farthest), sum_of(sums) / points);
+  return (float2)(largest_of_eight(farthest), sum_of_eight(sums) / points);
 }
 
 /* source_*, target_*: points in tiles of eight, the last one filled up with copies
@@ -102,24 +86,13 @@ look_ups(global const float8* restrict source_x,
   const uint candidate = get_global_id(0);
   if (candidate >= number_of_candidates)
     return;
-  const float4 row_x = candidates[3 * candidate];
-  const float4 row_y = candidates[3 * candidate + 1];
-  const float4 row_z = candidates[3 * candidate + 2];
-  const float2 forth = distances_from(source_x, source_y, source_z, source_points, row_x,
-                                      row_y, row_z, target_field, target_lower,
-                                      target_size, limit);
-  /* the inverse of x -> s R x + t is x -> (s R)^T (x - t) / s^2 */
-  const float squared = dot(row_x.xyz, row_x.xyz);
-  const float scale = sqrt(squared);
-  const float3 shift = (float3)(row_x.w, row_y.w, row_z.w) / squared;
-  const float3 x = (float3)(row_x.x, row_y.x, row_z.x);
-  const float3 y = (float3)(row_x.y, row_y.y, row_z.y);
-  const float3 z = (float3)(row_x.z, row_y.z, row_z.z);
-  const float2 back = scale * distances_from(target_x, target_y, target_z, target_points,
-                                             (float4)(x / squared, -dot(x, shift)),
-                                             (float4)(y / squared, -dot(y, shift)),
-                                             (float4)(z / squared, -dot(z, shift)),
-                                             source_field, source_lower, source_size,
-                                             limit / scale);
-  distances[candidate] = (float4)(forth, back);
+  const Placement forth = placement_at(candidates, candidate);
+  const Placement back = inverse_of(forth);
+  const float scale = sqrt(squared_scale(forth));
+  distances[candidate] = (float4)(
+      distances_from(source_x, source_y, source_z, source_points, forth.x, forth.y,
+                     forth.z, target_field, target_lower, target_size, limit),
+      scale * distances_from(target_x, target_y, target_z, target_points, back.x,
+                             back.y, back.z, source_field, source_lower, source_size,
+                             limit / scale));
 }

@@ -10,6 +10,8 @@
  * vector of 16 distances, one byte each, is 16 centres.
  */
 
+#include "common.cl"
+
 #define MOST_POINTS 128
 
 inline ushort16
@@ -19,14 +21,16 @@ sixteen(global const uchar* restrict field, uint index)
 }
 
 /* points: x, y, z, 1 per point, at most MOST_POINTS
- * placements: three rows of a matrix each: to nodes of the field, under the first centre
+ * placements: three rows of a matrix each: to nodes of the field, under the first
+ *   centre
  * field: distances, node (x, y, z) in array (x % every.x, y % every.y, z % every.z) at
- *   (x / every.x, y / every.y, z / every.z); in arrays and in the grid of arrays, z varies
- *   fastest; outermost nodes are as far as a distance counts
+ *   (x / every.x, y / every.y, z / every.z); in arrays and in the grid of arrays, z
+ *   varies fastest; outermost nodes are as far as a distance counts
  * last: the last node that the first centre may fall on
  * every: nodes from centre to centre
  * size: nodes of an array along each axis
- * rows: where the rows of 16 centres begin, from the first centre; whole groups of eight
+ * rows: where the rows of 16 centres begin, from the first centre; whole groups of
+ *   eight
  * sums: 16 per row
  */
 kernel void
@@ -42,18 +46,16 @@ shift_sums(global const float4* restrict points,
            const uint number_of_rows,
            global ushort16* restrict sums)
 {
-  const uint placement = get_global_id(0);
-  if (placement >= number_of_placements)
+  const uint index = get_global_id(0);
+  if (index >= number_of_placements)
     return;
-  const float4 row_x = placements[3 * placement];
-  const float4 row_y = placements[3 * placement + 1];
-  const float4 row_z = placements[3 * placement + 2];
+  const Placement placement = placement_at(placements, index);
   uint first[MOST_POINTS];
   for (uint i = 0; i < number_of_points; ++i) {
-    const float4 p = points[i];
-    const int x = (int)clamp(dot(row_x, p), 0.0f, (float)last.x);
-    const int y = (int)clamp(dot(row_y, p), 0.0f, (float)last.y);
-    const int z = (int)clamp(dot(row_z, p), 0.0f, (float)last.z);
+    const float4 node = place(placement, points[i]);
+    const int x = (int)clamp(node.x, 0.0f, (float)last.x);
+    const int y = (int)clamp(node.y, 0.0f, (float)last.y);
+    const int z = (int)clamp(node.z, 0.0f, (float)last.z);
     const uint array =
         (x % every.x * every.y + y % every.y) * every.z + z % every.z;
     first[i] = array * size.x * size.y * size.z +
@@ -74,7 +76,7 @@ shift_sums(global const float4* restrict points,
       g += sixteen(under, at.s6);
       h += sixteen(under, at.s7);
     }
-    global ushort16* restrict out = sums + (size_t)placement * number_of_rows + row;
+    global ushort16* restrict out = sums + (size_t)index * number_of_rows + row;
     out[0] = a;
     out[1] = b;
     out[2] = c;

@@ -7,6 +7,8 @@
 #include <pcl/registration/kss/detail/grid_index.h>
 #include <pcl/registration/kss/detail/points.h>
 
+#include "support/rounded_up.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -60,7 +62,7 @@ gridOver(const Eigen::Array3f& lower,
     grid.size = toIndices(Eigen::Array3f((extent / grid.edge + 0.02f).ceil()),
                           Eigen::Array3i::Constant(1 << 20)) +
                 3;
-    grid.size.x() = (grid.size.x() + 7) / 8 * 8;
+    grid.size.x() = roundedUp(grid.size.x(), 8);
     if (numberOfCells(grid.size) <= std::max<std::size_t>(nodes, 8 * 4 * 4))
       break;
   }

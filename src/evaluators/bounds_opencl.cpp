@@ -3,7 +3,7 @@
  */
 
 #include "evaluators/grid_bounds.h"
-#include "opencl/program.h"
+#include "evaluators/kernel_arguments.h"
 #include "opencl/several_devices.h"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace pcl {
 namespace kss {
 namespace {
 
-/** The cells around a cloud, on the device. */
-struct Cells {
+/** The grid around a cloud, on the device. */
+struct DeviceBoundingCells {
   cl::Buffer bounds, nodes;
   cl_float4 lower = {};
   cl_int4 size = {};
@@ -26,7 +26,7 @@ public:
   explicit DeviceBounds(std::shared_ptr<OpenCLProgram> program)
   : program_(std::move(program))
   {
-    for (Cells* cells : {&source_cells_, &target_cells_}) {
+    for (DeviceBoundingCells* cells : {&source_cells_, &target_cells_}) {
       cells->bounds = nothing();
       cells->nodes = nothing();
     }
@@ -35,15 +35,14 @@ public:
   void
   setCells(bool is_source, const Points& cloud, const BoundingGrid& grid)
   {
-    Cells& cells = is_source ? source_cells_ : target_cells_;
-    cells.lower = {{grid.lower.x(), grid.lower.y(), grid.lower.z(), grid.edge}};
-    cells.size = {{grid.size.x(), grid.size.y(), grid.size.z(), 0}};
+    DeviceBoundingCells& cells = is_source ? source_cells_ : target_cells_;
+    cells.lower = toFloat4(grid.lower, grid.edge);
+    cells.size = toInt4(grid.size);
     cells.largest_known = grid.largest_known;
     cells.rounding = grid.rounding;
     const std::size_t nodes = grid.size.cast<std::size_t>().prod();
     cells.nodes = program_->allocate<float>(nodes);
-    const Eigen::Matrix4Xf homogeneous = cloud.colwise().homogeneous();
-    const cl::Buffer points = program_->upload(homogeneous.data(), homogeneous.size());
+    const cl::Buffer points = homogeneousCloud(*program_, cloud);
     const cl::Buffer nearest = program_->allocate<cl_int>(nodes);
     const DispatchLimits& limits = program_->limits();
     nodes_.run(limits, static_cast<std::size_t>(grid.size.y()) * grid.size.z(),
@@ -78,7 +77,7 @@ public:
     const cl::Buffer of_source = uploaded(source_probes),
                      of_target = uploaded(target_probes);
     const auto tiles = [](const Probes& probes) {
-      return static_cast<cl_uint>(probes.rows() / 8);
+      return static_cast<cl_uint>(probes.rows() / tile);
     };
     const double operations =
         static_cast<double>(source_probes.rows() + target_probes.rows());
@@ -95,8 +94,7 @@ public:
                         target_cells_.lower, target_cells_.size,
                         target_cells_.largest_known,
                         interpolate ? target_cells_.rounding : 0.0f,
-                        program_->upload(placements[begin].data(),
-                                         number * Placement::SizeAtCompileTime),
+                        program_->upload(placements + begin, number),
                         static_cast<cl_uint>(number), limit, result);
           std::vector<float> found(8 * number);
           program_->download(result, found.data(), found.size());
@@ -124,7 +122,7 @@ private:
 
   std::shared_ptr<OpenCLProgram> program_;
   Dispatches nodes_, fills_, look_ups_;
-  Cells source_cells_, target_cells_;
+  DeviceBoundingCells source_cells_, target_cells_;
 };
 
 class OpenCLBounds : public GridBounds {

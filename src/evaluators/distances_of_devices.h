@@ -10,6 +10,8 @@
 namespace pcl {
 namespace kss {
 
+static_assert(sizeof(DirectedDistances) == 4 * sizeof(float), "the kernels' float4");
+
 /** \brief An evaluator whose placements all devices share; each has a Worker with
  * setClouds(source, target, limit) and evaluate(placements, size, distances).
  */

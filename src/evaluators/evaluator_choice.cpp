@@ -8,7 +8,8 @@
 
 #include "evaluators/bounds.h"
 #include "evaluators/device_or_host.h"
-#include "evaluators/distance_evaluator.h"
+#include "evaluators/look_ups.h"
+#include "evaluators/pair_distances.h"
 #include "evaluators/shift_sums.h"
 
 #include <atomic>
@@ -117,7 +118,9 @@ makePairDistances(const Settings& settings)
   const unsigned int threads = settings.threads;
   return chosen<AnyDistances>(
       settings, [=] { return makeHostPairDistances(threads); },
-      [=, device = settings.device] { return makeOpenCLPairDistances(device, threads); });
+      [=, device = settings.device] {
+        return makeOpenCLPairDistances(device, threads);
+      });
 }
 
 std::unique_ptr<DistanceEvaluator>
@@ -137,9 +140,7 @@ makeBounds(const Settings& settings)
   const unsigned int threads = settings.threads;
   return chosen<AnyBounds>(
       settings, [=] { return makeHostBounds(threads); },
-      [=, device = settings.device] {
-        return makeOpenCLBounds(device, threads);
-      });
+      [=, device = settings.device] { return makeOpenCLBounds(device, threads); });
 }
 
 std::unique_ptr<ShiftSums>

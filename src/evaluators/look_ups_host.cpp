@@ -2,35 +2,39 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
-#include "evaluators/distance_evaluator.h"
-#include "evaluators/look_up_field.h"
+#include "evaluators/look_up_clouds.h"
+#include "evaluators/look_ups.h"
 #include "geometry/distance_field.h"
 #include "support/parallel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 namespace pcl {
 namespace kss {
 namespace {
 
-class HostLookUpEvaluator : public DistanceEvaluator {
+/** What look-ups need of one cloud. */
+struct HostLookUpCloud {
+  Points probes;
+  DistanceField field;
+};
+
+class HostLookUps : public DistanceEvaluator {
 public:
-  HostLookUpEvaluator(unsigned int threads, unsigned int probes)
+  HostLookUps(unsigned int threads, unsigned int probes)
   : threads_(threads)
-  , probes_(probes)
+  , clouds_(probes)
   {
   }
 
   void
   setClouds(const Points& source, const Points& target, float limit) override
   {
-    source_ = source.leftCols(std::min<Eigen::Index>(probes_, source.cols()));
-    target_ = target.leftCols(std::min<Eigen::Index>(probes_, target.cols()));
-    limit_ = limit;
-    source_field_.emplace(lookUpField(source, limit));
-    target_field_.emplace(lookUpField(target, limit));
+    clouds_.set(source, target, limit, [](const Points& probes, DistanceField&& field) {
+      return HostLookUpCloud{probes, std::move(field)};
+    });
   }
 
   std::vector<DirectedDistances>
@@ -38,17 +42,12 @@ public:
   {
     std::vector<DirectedDistances> distances(placements.size());
     inParallel(placements.size(), threads_, 64, [&](std::ptrdiff_t i) {
-      // the inverse of x -> s R x + t is x -> (s R)^T (x - t) / s^2
-      const Eigen::Affine3f forth(
-          (Eigen::Matrix4f() << placements[i], 0.0f, 0.0f, 0.0f, 1.0f).finished());
-      const float scale = forth.linear().row(0).norm();
-      Eigen::Affine3f back = Eigen::Affine3f::Identity();
-      back.linear() = forth.linear().transpose() / (scale * scale);
-      back.translation() = -back.linear() * forth.translation();
+      const HostLookUpCloud &source = clouds_.source(), &target = clouds_.target();
+      const float scale = scaleFactorOf(placements[i]), limit = clouds_.limit();
       const auto [far_source, mean_source] =
-          distancesFrom(source_, forth, *target_field_, limit_);
-      const auto [far_target, mean_target] =
-          distancesFrom(target_, back, *source_field_, limit_ / scale);
+          distancesFrom(source.probes, placements[i], target.field, limit);
+      const auto [far_target, mean_target] = distancesFrom(
+          target.probes, inverseOf(placements[i]), source.field, limit / scale);
       distances[i] = {far_source, mean_source, scale * far_target, scale * mean_target};
     });
     return distances;
@@ -63,14 +62,16 @@ public:
 private:
   static std::pair<float, float>
   distancesFrom(const Points& points,
-                const Eigen::Affine3f& placement,
+                const Placement& placement,
                 const DistanceField& field,
                 float limit)
   {
+    const Eigen::Affine3f place(
+        (Eigen::Matrix4f() << placement, 0.0f, 0.0f, 0.0f, 1.0f).finished());
     float farthest = 0.0f;
     double sum = 0.0;
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
-      const float distance = field.distances()[field.cellOf(placement * points.col(i))];
+      const float distance = field.distances()[field.cellOf(place * points.col(i))];
       farthest = std::max(farthest, distance);
       sum += std::min(distance, limit);
     }
@@ -78,10 +79,7 @@ private:
   }
 
   unsigned int threads_;
-  unsigned int probes_;
-  Points source_, target_;
-  std::optional<DistanceField> source_field_, target_field_;
-  float limit_ = 0.0f;
+  LookUpClouds<HostLookUpCloud> clouds_;
 };
 
 } // namespace
@@ -89,7 +87,7 @@ private:
 std::unique_ptr<DistanceEvaluator>
 makeHostLookUps(unsigned int threads, unsigned int probes)
 {
-  return std::make_unique<HostLookUpEvaluator>(threads, probes);
+  return std::make_unique<HostLookUps>(threads, probes);
 }
 
 } // namespace kss

@@ -3,24 +3,18 @@
  */
 
 #include "evaluators/distances_of_devices.h"
-#include "evaluators/look_up_field.h"
-#include "geometry/clouds.h"
-#include "geometry/distance_field.h"
-
-#include <algorithm>
-#include <tuple>
+#include "evaluators/kernel_arguments.h"
+#include "evaluators/look_up_clouds.h"
+#include "evaluators/look_ups.h"
 
 namespace pcl {
 namespace kss {
 namespace {
 
-constexpr Eigen::Index lanes = 8; // of a tile of points
-
-/** One cloud on the device: its points in tiles and its distance field. */
-struct Cloud {
-  Points all;
-  cl::Buffer x, y, z, field;
-  cl_uint points = 0;
+/** What look-ups need of one cloud, on the device. */
+struct DeviceLookUpCloud {
+  TiledCloud probes;
+  cl::Buffer field;
   cl_float4 lower = {};
   cl_int4 size = {};
 };
@@ -30,28 +24,24 @@ class DeviceLookUps {
 public:
   DeviceLookUps(std::shared_ptr<OpenCLProgram> program, unsigned int probes)
   : program_(std::move(program))
-  , probes_(probes)
+  , clouds_(probes)
   {
   }
 
   void
   setClouds(const Points& source, const Points& target, float limit)
   {
-    // what has not changed stays on the device
-    if (limit != limit_)
-      source_ = target_ = Cloud();
-    limit_ = limit;
-    for (const auto& [cloud, points] :
-         {std::tie(source_, source), std::tie(target_, target)})
-      if (!areEqual(cloud.all, points))
-        cloud = upload(points);
+    clouds_.set(source, target, limit,
+                [this](const Points& probes, const DistanceField& field) {
+                  return upload(probes, field);
+                });
   }
 
   void
   evaluate(const Placement* placements, std::size_t size, DirectedDistances* distances)
   {
-    const double operations =
-        static_cast<double>(source_.points) + static_cast<double>(target_.points);
+    const double operations = static_cast<double>(clouds_.source().probes.points) +
+                              static_cast<double>(clouds_.target().probes.points);
     dispatches_.run(program_->limits(), size, 16 * sizeof(float), operations,
                     [&](std::size_t begin, std::size_t end) {
                       dispatch(placements + begin, end - begin, distances + begin);
@@ -62,53 +52,34 @@ private:
   void
   dispatch(const Placement* placements, std::size_t size, DirectedDistances* distances)
   {
-    const cl::Buffer candidates =
-        program_->upload(placements->data(), size * Placement::SizeAtCompileTime);
-    const cl::Buffer result = program_->allocate<float>(4 * size);
-    program_->run("look_ups", size, source_.x, source_.y, source_.z, source_.points,
-                  source_.field, source_.lower, source_.size, target_.x, target_.y,
-                  target_.z, target_.points, target_.field, target_.lower, target_.size,
-                  candidates, static_cast<cl_uint>(size), limit_, result);
-    static_assert(sizeof(DirectedDistances) == 4 * sizeof(float),
-                  "the kernel's float4");
-    program_->download(result, &distances->source_to_target, 4 * size);
+    const DeviceLookUpCloud &source = clouds_.source(), &target = clouds_.target();
+    const cl::Buffer candidates = program_->upload(placements, size);
+    const cl::Buffer result = program_->allocate<DirectedDistances>(size);
+    program_->run("look_ups", size, source.probes.x, source.probes.y, source.probes.z,
+                  source.probes.points, source.field, source.lower, source.size,
+                  target.probes.x, target.probes.y, target.probes.z,
+                  target.probes.points, target.field, target.lower, target.size,
+                  candidates, static_cast<cl_uint>(size), clouds_.limit(), result);
+    program_->download(result, distances, size);
   }
 
-  Cloud
-  upload(const Points& points)
+  DeviceLookUpCloud
+  upload(const Points& probes, const DistanceField& field)
   {
-    Cloud cloud;
-    cloud.all = points;
-    const Eigen::Index probes = std::min<Eigen::Index>(probes_, points.cols());
-    const Eigen::Index filled = (probes + lanes - 1) / lanes * lanes;
-    Eigen::MatrixX3f tiled(filled, 3);
-    tiled.topRows(probes) = points.leftCols(probes).transpose();
-    tiled.bottomRows(filled - probes).rowwise() = points.col(probes - 1).transpose();
-    cloud.x = program_->upload(tiled.col(0).data(), filled);
-    cloud.y = program_->upload(tiled.col(1).data(), filled);
-    cloud.z = program_->upload(tiled.col(2).data(), filled);
-    cloud.points = static_cast<cl_uint>(probes);
-    const DistanceField field = lookUpField(points, limit_);
-    cloud.field = program_->upload(field.distances().data(), field.distances().size());
-    cloud.lower = {
-        {field.lower().x(), field.lower().y(), field.lower().z(), field.inverseEdge()}};
-    cloud.size = {{field.size().x(), field.size().y(), field.size().z(), 0}};
-    return cloud;
+    return {tiledCloud(*program_, probes),
+            program_->upload(field.distances().data(), field.distances().size()),
+            toFloat4(field.lower(), field.inverseEdge()), toInt4(field.size())};
   }
 
   std::shared_ptr<OpenCLProgram> program_;
   Dispatches dispatches_;
-  unsigned int probes_;
-  Cloud source_, target_;
-  float limit_ = 0.0f;
+  LookUpClouds<DeviceLookUpCloud> clouds_;
 };
 
 } // namespace
 
 std::unique_ptr<DistanceEvaluator>
-makeOpenCLLookUps(const std::string& device,
-                          unsigned int threads,
-                          unsigned int probes)
+makeOpenCLLookUps(const std::string& device, unsigned int threads, unsigned int probes)
 {
   return std::make_unique<DistancesOfDevices<DeviceLookUps>>(device, threads, probes);
 }

@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
-#include "evaluators/distance_evaluator.h"
+#include "evaluators/coordinate_columns.h"
+#include "evaluators/pair_distances.h"
 #include "support/parallel.h"
 #include "support/wide_vectors.h"
 
@@ -40,9 +41,9 @@ meet(const float* x,
   return *std::min_element(column, column + lanes);
 }
 
-class HostEvaluator : public DistanceEvaluator {
+class HostPairDistances : public DistanceEvaluator {
 public:
-  explicit HostEvaluator(unsigned int threads)
+  explicit HostPairDistances(unsigned int threads)
   : threads_(threads)
   {
   }
@@ -53,12 +54,7 @@ public:
     limit_ = limit;
     source_ = source;
     target_points_ = target.cols();
-    // coordinates apart, filled up to whole vectors with copies of the last point
-    const Eigen::Index filled = (target_points_ + lanes - 1) / lanes * lanes;
-    target_.resize(filled, 3);
-    target_.topRows(target_points_) = target.transpose();
-    target_.bottomRows(filled - target_points_).rowwise() =
-        target.col(target_points_ - 1).transpose();
+    target_ = coordinateColumns(target, lanes);
   }
 
   std::vector<DirectedDistances>
@@ -114,7 +110,7 @@ private:
 std::unique_ptr<DistanceEvaluator>
 makeHostPairDistances(unsigned int threads)
 {
-  return std::make_unique<HostEvaluator>(threads);
+  return std::make_unique<HostPairDistances>(threads);
 }
 
 } // namespace kss

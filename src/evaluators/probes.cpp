@@ -4,6 +4,8 @@
 
 #include "evaluators/probes.h"
 
+#include "evaluators/coordinate_columns.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,10 +20,9 @@ probesOf(const Points& cloud, Eigen::Index number)
   constexpr Eigen::Index lanes = 8;
   const Eigen::Index points = cloud.cols();
   number = std::min(number, points);
-  Probes probes = Probes::Zero((number + lanes - 1) / lanes * lanes, 6);
-  probes.topLeftCorner(number, 3) = cloud.leftCols(number).transpose();
-  probes.bottomLeftCorner(probes.rows() - number, 3).rowwise() =
-      cloud.col(number - 1).transpose();
+  const Eigen::MatrixX3f columns = coordinateColumns(cloud.leftCols(number), lanes);
+  Probes probes = Probes::Zero(columns.rows(), 6);
+  probes.leftCols<3>() = columns;
   if (number == points) {
     probes.col(3).head(number).setConstant(1.0f / points);
     return probes;

@@ -6,6 +6,8 @@
 
 #include <pcl/registration/kss/detail/grid_index.h>
 
+#include "support/rounded_up.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -13,9 +15,6 @@
 namespace pcl {
 namespace kss {
 namespace {
-
-constexpr int lanes = 16; // centres of a row
-constexpr int group = 8;  // rows that are summed at once
 
 /** The widest distance of nodes: a field read at the nearest one is off by 0.3 of what
  * a distance counts at most. */
@@ -26,12 +25,6 @@ constexpr float most_steps = 100.0f;
 
 /** Nodes from centre to centre that are not too many already. */
 constexpr int most_every = 1000;
-
-int
-roundedUp(int value, int multiple)
-{
-  return (value + multiple - 1) / multiple * multiple;
-}
 
 } // namespace
 
@@ -56,7 +49,7 @@ ShiftLattice::ShiftLattice(const Points& cloud,
     }
     width_ = every_ * (counts - 1);
     inner_ = toIndices(Eigen::Array3f(((extent + 2.0f * limit) / step_).ceil()), most);
-    inner_[2] = roundedUp(inner_[2], vector);
+    inner_[2] = roundedUp<int>(inner_[2], vector);
     // all centres fit beside the inner nodes: what falls there lies beyond the limit
     all_ = inner_ + 2 * (width_ + 1);
     size_ = (all_ + every_ - 1) / every_;
@@ -76,14 +69,14 @@ ShiftLattice::ShiftLattice(const Points& cloud,
           rows_.push_back((x * size_[1] + y) * size_[2] + z);
         places_.push_back((rows_.size() - 1) * lanes + z % lanes);
       }
-  rows_.resize(roundedUp(static_cast<int>(rows_.size()), group), rows_.back());
+  rows_.resize(roundedUp<std::size_t>(rows_.size(), rows_at_once), rows_.back());
 }
 
 std::vector<std::uint8_t>
 ShiftLattice::bytes(const std::vector<float>& distances) const
 {
   constexpr float most = 255.0f;
-  // the last row of 16 may reach beyond the end
+  // the last row may reach beyond the end
   const std::size_t array_size = numberOfCells(size_);
   std::vector<std::uint8_t> bytes(numberOfCells(every_) * array_size + lanes,
                                   static_cast<std::uint8_t>(most));

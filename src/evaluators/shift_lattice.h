@@ -67,6 +67,12 @@ public:
 
   static constexpr int vector = 32;
 
+  /** \brief Centres of a row, along z: their sums are a vector. */
+  static constexpr int lanes = 16;
+
+  /** \brief How many rows are summed at once. */
+  static constexpr int rows_at_once = 8;
+
   /** \brief The cloud in the frame of the axes. */
   Points
   turned(const Points& cloud) const
@@ -106,7 +112,8 @@ public:
     return size_;
   }
 
-  /** \brief Where the rows of 16 centres begin, filled up to whole groups of eight. */
+  /** \brief Where the rows of \ref lanes centres begin, filled up to as many as are
+   * summed at once. */
   const std::vector<std::uint32_t>&
   rows() const
   {

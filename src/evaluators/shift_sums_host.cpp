@@ -16,8 +16,8 @@ namespace pcl {
 namespace kss {
 namespace {
 
-constexpr int lanes = 16;
-constexpr int rows_at_once = 8;
+constexpr int lanes = ShiftLattice::lanes;
+constexpr int rows_at_once = ShiftLattice::rows_at_once;
 
 /** The distances of a row of nodes to their nearest points. */
 PCL_KSS_WIDE void

@@ -2,19 +2,13 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
+#include "evaluators/kernel_arguments.h"
 #include "evaluators/shift_sums.h"
-#include "opencl/program.h"
 #include "opencl/several_devices.h"
 
 namespace pcl {
 namespace kss {
 namespace {
-
-cl_int4
-toInt4(const Eigen::Array3i& v)
-{
-  return {{v[0], v[1], v[2], 0}};
-}
 
 /** The sums of one device. */
 class DeviceShiftSums {
@@ -28,23 +22,20 @@ public:
   setField(const Points& cloud, const ShiftLattice& lattice)
   {
     // the kernel's nodes vary fastest along x, the lattice's along z
-    const Eigen::Matrix4Xf points =
-        lattice.turned(cloud).colwise().reverse().colwise().homogeneous();
-    const Eigen::Array3f& lower = lattice.lower();
-    const Eigen::Array3f& step = lattice.step();
-    const Eigen::Array3i& inner = lattice.inner();
+    const cl::Buffer points =
+        homogeneousCloud(*program_, lattice.turned(cloud).colwise().reverse());
+    const Eigen::Array3f lower = lattice.lower().reverse();
+    const Eigen::Array3f step = lattice.step().reverse();
+    const Eigen::Array3i inner = lattice.inner().reverse();
     std::vector<float> distances(inner.cast<std::size_t>().prod());
-    const cl::Buffer cloud_points = program_->upload(points.data(), points.size());
     const cl::Buffer nodes = program_->allocate<float>(distances.size());
-    fields_.run(program_->limits(), static_cast<std::size_t>(inner[0]) * inner[1],
-                sizeof(float) * inner[2], static_cast<double>(points.cols()) * inner[2],
+    fields_.run(program_->limits(), static_cast<std::size_t>(inner[2]) * inner[1],
+                sizeof(float) * inner[0], static_cast<double>(cloud.cols()) * inner[0],
                 [&](std::size_t begin, std::size_t end) {
                   program_->run("node_distances", end - begin,
-                                static_cast<cl_uint>(begin), cloud_points,
-                                static_cast<cl_uint>(points.cols()),
-                                cl_float4{{lower[2], lower[1], lower[0], 0.0f}},
-                                cl_float4{{step[2], step[1], step[0], 0.0f}},
-                                cl_int4{{inner[2], inner[1], inner[0], 0}}, nodes);
+                                static_cast<cl_uint>(begin), points,
+                                static_cast<cl_uint>(cloud.cols()), toFloat4(lower),
+                                toFloat4(step), toInt4(inner), nodes);
                 });
     program_->download(nodes, distances.data(), distances.size());
     const auto bytes = lattice.bytes(distances);
@@ -63,9 +54,9 @@ public:
       std::size_t size,
       std::uint16_t* sums)
   {
-    const Eigen::Matrix4Xf homogeneous = points.colwise().homogeneous();
-    const cl::Buffer probes = program_->upload(homogeneous.data(), homogeneous.size());
-    const std::size_t sums_of_placement = 16 * std::size_t(number_of_rows_);
+    const cl::Buffer probes = homogeneousCloud(*program_, points);
+    const std::size_t sums_of_placement =
+        ShiftLattice::lanes * std::size_t(number_of_rows_);
     const std::size_t bytes =
         sizeof(Placement) + sizeof(std::uint16_t) * sums_of_placement;
     const double operations = static_cast<double>(points.cols()) * number_of_rows_;
@@ -76,8 +67,7 @@ public:
                     program_->allocate<std::uint16_t>(sums_of_placement * number);
                 program_->run("shift_sums", number, probes,
                               static_cast<cl_uint>(points.cols()),
-                              program_->upload(placements[begin].data(),
-                                               number * Placement::SizeAtCompileTime),
+                              program_->upload(placements + begin, number),
                               static_cast<cl_uint>(number), field_, last_, every_,
                               size_, rows_, number_of_rows_, result);
                 program_->download(result, sums + sums_of_placement * begin,
@@ -104,7 +94,7 @@ public:
   setField(const Points& cloud, const ShiftLattice& lattice) override
   {
     devices_.forEach([&](DeviceShiftSums& device) { device.setField(cloud, lattice); });
-    sums_of_placement_ = 16 * lattice.rows().size();
+    sums_of_placement_ = ShiftLattice::lanes * lattice.rows().size();
   }
 
   std::vector<std::uint16_t>

@@ -12,5 +12,23 @@ namespace kss {
 /** \brief Places the source: the upper three rows of a similarity. */
 using Placement = Eigen::Matrix<float, 3, 4, Eigen::RowMajor>;
 
+/** \brief By how much a placement scales. */
+inline float
+scaleFactorOf(const Placement& placement)
+{
+  return placement.row(0).head<3>().norm();
+}
+
+/** \brief The inverse of x -> s R x + t: x -> (s R)^T (x - t) / s^2. */
+inline Placement
+inverseOf(const Placement& placement)
+{
+  const float scale = scaleFactorOf(placement);
+  Placement inverse;
+  inverse.leftCols<3>() = placement.leftCols<3>().transpose() / (scale * scale);
+  inverse.col(3) = -inverse.leftCols<3>() * placement.col(3);
+  return inverse;
+}
+
 } // namespace kss
 } // namespace pcl

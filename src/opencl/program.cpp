@@ -52,9 +52,7 @@ OpenCLProgram::OpenCLProgram(const cl::Device& device, const std::string& name)
 void
 OpenCLProgram::build()
 {
-  program_ = cl::Program(context_, std::string(kernels::distances) + kernels::look_ups +
-                                       kernels::fields + kernels::shift_sums +
-                                       kernels::bounds);
+  program_ = cl::Program(context_, std::string(kernels));
   const cl_int code =
       clBuildProgram(program_(), 1, &device_(), "-cl-std=CL1.2", nullptr, nullptr);
   if (code == CL_SUCCESS)

@@ -11,9 +11,6 @@
 #include "evaluators/evaluator_choice.h"
 #include "evaluators/shift_sums.h"
 
-#include "evaluators/bounds.h"
-#include "evaluators/distance_evaluator.h"
-
 #include <memory>
 #include <optional>
 #include <string>

@@ -4,11 +4,13 @@
 
 #include "poses.h"
 
-#include "geometry/distance_field.h"
-#include "evaluators/distance_evaluator.h"
 #include <pcl/registration/kss/devices.h>
 
 #include "evaluators/evaluator_choice.h"
+#include "evaluators/look_up_clouds.h"
+#include "evaluators/look_ups.h"
+#include "evaluators/pair_distances.h"
+#include "geometry/distance_field.h"
 
 #include <gtest/gtest.h>
 
@@ -367,6 +369,57 @@ TEST_P(LookUps, GiveTheSameBitsWithAnyNumberOfThreads)
     EXPECT_TRUE(sameBits(first, found)) << threads << " threads";
   }
   EXPECT_TRUE(make(96)->deviceName() != "");
+}
+
+TEST_P(LookUps, FollowOtherCloudsAndAnotherLimit)
+{
+  // what is made of a cloud is kept for as long as the cloud and the limit are the same
+  const Points a = sampled(creature(), 300, 29), b = sampled(cross(), 300, 30);
+  const Points c = sampled(pennant(), 200, 31);
+  const auto placements = randomPlacements(50, 32);
+  const auto evaluator = make(96);
+  struct Step {
+    const Points &source, &target;
+    float limit;
+  };
+  for (const Step& step : {Step{a, b, 0.3f}, Step{a, b, 0.3f}, Step{a, c, 0.3f},
+                           Step{b, c, 0.3f}, Step{b, c, 0.1f}, Step{c, b, 0.1f}}) {
+    evaluator->setClouds(step.source, step.target, step.limit);
+    const auto fresh = make(96);
+    fresh->setClouds(step.source, step.target, step.limit);
+    EXPECT_TRUE(sameBits(fresh->evaluate(placements), evaluator->evaluate(placements)));
+  }
+}
+
+TEST(LookUpClouds, KeepWhatIsMadeOfACloudThatHasNotChanged)
+{
+  const Points a = sampled(creature(), 30, 33), b = sampled(cross(), 40, 34);
+  LookUpClouds<Eigen::Index> clouds(35);
+  int made = 0;
+  const auto madeFor = [&](const Points& source, const Points& target, float limit) {
+    made = 0;
+    clouds.set(source, target, limit, [&](const Points& probes, const DistanceField&) {
+      ++made;
+      return probes.cols();
+    });
+    return made;
+  };
+  EXPECT_EQ(2, madeFor(a, b, 0.3f));
+  EXPECT_EQ(30, clouds.source());
+  EXPECT_EQ(35, clouds.target());
+  EXPECT_EQ(0, madeFor(a, b, 0.3f));
+  EXPECT_EQ(1, madeFor(a, a, 0.3f));
+  EXPECT_EQ(30, clouds.target());
+  EXPECT_EQ(1, madeFor(b, a, 0.3f));
+  EXPECT_EQ(2, madeFor(b, a, 0.2f));
+  EXPECT_EQ(0.2f, clouds.limit());
+  // nothing is kept of what could not be made
+  EXPECT_THROW(clouds.set(a, a, 0.1f,
+                          [](const Points&, const DistanceField&) -> Eigen::Index {
+                            throw DeviceError("It is lost.");
+                          }),
+               DeviceError);
+  EXPECT_EQ(2, madeFor(a, a, 0.1f));
 }
 
 TEST_P(LookUps, AreTheSameOnAllDevices)

@@ -6,6 +6,7 @@
  */
 
 #include "evaluators/evaluator_answers.h"
+#include "evaluators/pair_distances.h"
 #include "faults/opencl_faults.h"
 
 #include <pcl/registration/kss/alignment.h>

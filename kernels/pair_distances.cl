@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  *
  * Distances, both ways, between the target and the source placed by each candidate,
- * from all pairs of points: E_d of (e9). One work-item per candidate, no local memory, no barrier.
+ * from all pairs of points: E_d of (e9). One work-item per candidate, no local memory,
+ * no barrier.
  *
  * The target lies in tiles of eight points, x, y and z apart, so that a CPU fills its
  * vectors with target points; on a GPU the eight lanes are independent instructions.
@@ -11,35 +12,7 @@
  * and nearest[] those of the target points.
  */
 
-inline float
-smallest(float8 v)
-{
-  const float4 a = min(v.lo, v.hi);
-  const float2 b = min(a.lo, a.hi);
-  return min(b.x, b.y);
-}
-
-inline float
-largest(float8 v)
-{
-  const float4 a = max(v.lo, v.hi);
-  const float2 b = max(a.lo, a.hi);
-  return max(b.x, b.y);
-}
-
-inline float
-sum(float8 v)
-{
-  const float4 a = v.lo + v.hi;
-  const float2 b = a.lo + a.hi;
-  return b.x + b.y;
-}
-
-inline float4
-place(float4 row_x, float4 row_y, float4 row_z, float4 p)
-{
-  return (float4)(dot(row_x, p), dot(row_y, p), dot(row_z, p), 1.0f);
-}
+#include "common.cl"
 
 inline float8
 squared_distance(float8 x, float8 y, float8 z, float4 p)
@@ -48,6 +21,42 @@ squared_distance(float8 x, float8 y, float8 z, float4 p)
   const float8 dy = y - p.y;
   const float8 dz = z - p.z;
   return dx * dx + dy * dy + dz * dz;
+}
+
+/* The squared distances of four placed source points to their nearest target points; on
+ * the way, those of the target points are brought down to the distances from them.
+ */
+inline float4
+meet(global const float8* restrict target_x,
+     global const float8* restrict target_y,
+     global const float8* restrict target_z,
+     uint tiles,
+     float4 a,
+     float4 b,
+     float4 c,
+     float4 d,
+     global float8* restrict nearest)
+{
+  float8 column_a = (float8)(MAXFLOAT);
+  float8 column_b = column_a;
+  float8 column_c = column_a;
+  float8 column_d = column_a;
+  for (uint t = 0; t < tiles; ++t) {
+    const float8 x = target_x[t];
+    const float8 y = target_y[t];
+    const float8 z = target_z[t];
+    const float8 to_a = squared_distance(x, y, z, a);
+    const float8 to_b = squared_distance(x, y, z, b);
+    const float8 to_c = squared_distance(x, y, z, c);
+    const float8 to_d = squared_distance(x, y, z, d);
+    column_a = min(column_a, to_a);
+    column_b = min(column_b, to_b);
+    column_c = min(column_c, to_c);
+    column_d = min(column_d, to_d);
+    nearest[t] = min(nearest[t], min(min(to_a, to_b), min(to_c, to_d)));
+  }
+  return (float4)(smallest_of_eight(column_a), smallest_of_eight(column_b),
+                  smallest_of_eight(column_c), smallest_of_eight(column_d));
 }
 
 /* target_*: the target in tiles, the last one filled up with copies of the last point
@@ -73,9 +82,7 @@ pair_distances(global const float8* restrict target_x,
   const uint candidate = get_global_id(0);
   if (candidate >= number_of_candidates)
     return;
-  const float4 row_x = candidates[3 * candidate];
-  const float4 row_y = candidates[3 * candidate + 1];
-  const float4 row_z = candidates[3 * candidate + 2];
+  const Placement placement = placement_at(candidates, candidate);
   const uint tiles = (target_points + 7) / 8;
   global float8* restrict row = nearest + (size_t)candidate * tiles;
   for (uint t = 0; t < tiles; ++t)
@@ -84,37 +91,17 @@ pair_distances(global const float8* restrict target_x,
   float farthest_source = 0.0f;
   float sum_source = 0.0f;
   for (uint i = 0; i < source_points; i += 4) {
-    const float4 a = place(row_x, row_y, row_z, source[i]);
-    const float4 b = place(row_x, row_y, row_z, source[i + 1]);
-    const float4 c = place(row_x, row_y, row_z, source[i + 2]);
-    const float4 d = place(row_x, row_y, row_z, source[i + 3]);
-    float8 column_a = (float8)(MAXFLOAT);
-    float8 column_b = column_a;
-    float8 column_c = column_a;
-    float8 column_d = column_a;
-    for (uint t = 0; t < tiles; ++t) {
-      const float8 x = target_x[t];
-      const float8 y = target_y[t];
-      const float8 z = target_z[t];
-      const float8 to_a = squared_distance(x, y, z, a);
-      const float8 to_b = squared_distance(x, y, z, b);
-      const float8 to_c = squared_distance(x, y, z, c);
-      const float8 to_d = squared_distance(x, y, z, d);
-      column_a = min(column_a, to_a);
-      column_b = min(column_b, to_b);
-      column_c = min(column_c, to_c);
-      column_d = min(column_d, to_d);
-      row[t] = min(row[t], min(min(to_a, to_b), min(to_c, to_d)));
-    }
-    float4 column = (float4)(smallest(column_a), smallest(column_b),
-                             smallest(column_c), smallest(column_d));
-    farthest_source = max(farthest_source,
-                          max(max(column.x, column.y), max(column.z, column.w)));
-    // the copies that fill up the last four do not count in the mean
+    const float4 a = place(placement, source[i]);
+    const float4 b = place(placement, source[i + 1]);
+    const float4 c = place(placement, source[i + 2]);
+    const float4 d = place(placement, source[i + 3]);
+    const float4 column = meet(target_x, target_y, target_z, tiles, a, b, c, d, row);
+    farthest_source = max(farthest_source, largest_of_four(column));
+    /* the copies that fill up the last four do not count in the mean */
     const float4 length =
         select((float4)(0.0f), min(sqrt(column), limit),
                (uint4)(i, i + 1, i + 2, i + 3) < (uint4)(source_points));
-    sum_source += (length.x + length.y) + (length.z + length.w);
+    sum_source += sum_of_four(length);
   }
 
   const uint8 lane = (uint8)(0, 1, 2, 3, 4, 5, 6, 7);
@@ -127,5 +114,6 @@ pair_distances(global const float8* restrict target_x,
                    lane + 8 * t < (uint8)(target_points));
   }
   distances[candidate] = (float4)(sqrt(farthest_source), sum_source / source_points,
-                                  sqrt(largest(farthest)), sum(sums) / target_points);
+                                  sqrt(largest_of_eight(farthest)),
+                                  sum_of_eight(sums) / target_points);
 }
