@@ -70,6 +70,8 @@ using ProgressCallback = std::function<void(const std::string& stage, double don
  * of settings_table.h; README.md shows it.
  */
 struct Settings {
+  /** \brief See its row of the table. */
+  /** \{ */
   Mode mode = Mode::AUTOMATIC;
   bool estimate_scale = true;
   double smallest_scale = 0.0;
@@ -94,6 +96,7 @@ struct Settings {
   double time_limit = 0.0;
   std::string device = "auto";
   unsigned int threads = 0;
+  /** \} */
   /** Called as the work proceeds; may be empty. */
   ProgressCallback progress;
 };
@@ -120,7 +123,7 @@ searchOf(const Settings& settings);
 
 /** \brief Settings that are all within their bounds. */
 struct CheckedSettings {
-  Settings settings;
+  Settings settings; ///< those asked for, as far as they are within bounds
   /** \brief A sentence on each value that was asked for and is out of bounds. */
   std::vector<std::string> refusals;
 };
