@@ -116,8 +116,8 @@ cell_bounds(const uint first_row,
       slack = max(slack, squared - squared_length(corner - at_corner[c]));
       farthest = max(farthest, squared);
     }
-    const bool inside = x > 0 && x < size.x - 2 && y > 0 && y < size.y - 2 && z > 0 &&
-                        z < size.z - 2;
+    const bool inside =
+        x > 0 && x < size.x - 2 && y > 0 && y < size.y - 2 && z > 0 && z < size.z - 2;
     q.w = inside ? slack + rounding * (sqrt(farthest) + rounding) : border;
     cells[((size_t)z * (size.y - 1) + y) * (size.x - 1) + x] = q;
   }

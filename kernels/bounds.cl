@@ -112,10 +112,9 @@ look_up_bounds(global const float4* restrict cells,
         interpolated(nodes, size, node, x - convert_float8(cell_x),
                      y - convert_float8(cell_y), z - convert_float8(cell_z));
     /* not at the border, since beyond it nothing can be interpolated */
-    least_squared =
-        select(least_squared,
-               max(least_squared, closer - rounding * (1.5f + fabs(closer))),
-               fabs(q.slack) < 1e29f);
+    least_squared = select(
+        least_squared, max(least_squared, closer - rounding * (1.5f + fabs(closer))),
+        fabs(q.slack) < 1e29f);
   }
   *most = sqrt(squared);
   return sqrt(max(least_squared, 0.0f));

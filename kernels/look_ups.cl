@@ -47,9 +47,8 @@ distances_from(global const float8* restrict xs,
     const float8 x = xs[t];
     const float8 y = ys[t];
     const float8 z = zs[t];
-    const float8 d =
-        look_up(field, size, place_eight(row_x, x, y, z), place_eight(row_y, x, y, z),
-                place_eight(row_z, x, y, z));
+    const float8 d = look_up(field, size, place_eight(row_x, x, y, z),
+                             place_eight(row_y, x, y, z), place_eight(row_z, x, y, z));
     farthest = max(farthest, d);
     /* the copies that fill up the last tile do not count */
     sums += select((float8)(0.0f), min(d, limit), lane + 8 * t < (uint8)(points));
@@ -89,10 +88,11 @@ look_ups(global const float8* restrict source_x,
   const Placement forth = placement_at(candidates, candidate);
   const Placement back = inverse_of(forth);
   const float scale = sqrt(squared_scale(forth));
-  distances[candidate] = (float4)(
-      distances_from(source_x, source_y, source_z, source_points, forth.x, forth.y,
-                     forth.z, target_field, target_lower, target_size, limit),
-      scale * distances_from(target_x, target_y, target_z, target_points, back.x,
-                             back.y, back.z, source_field, source_lower, source_size,
-                             limit / scale));
+  distances[candidate] =
+      (float4)(distances_from(source_x, source_y, source_z, source_points, forth.x,
+                              forth.y, forth.z, target_field, target_lower, target_size,
+                              limit),
+               scale * distances_from(target_x, target_y, target_z, target_points,
+                                      back.x, back.y, back.z, source_field,
+                                      source_lower, source_size, limit / scale));
 }

@@ -113,7 +113,7 @@ pair_distances(global const float8* restrict target_x,
     sums += select((float8)(0.0f), min(sqrt(squared), limit),
                    lane + 8 * t < (uint8)(target_points));
   }
-  distances[candidate] = (float4)(sqrt(farthest_source), sum_source / source_points,
-                                  sqrt(largest_of_eight(farthest)),
-                                  sum_of_eight(sums) / target_points);
+  distances[candidate] =
+      (float4)(sqrt(farthest_source), sum_source / source_points,
+               sqrt(largest_of_eight(farthest)), sum_of_eight(sums) / target_points);
 }

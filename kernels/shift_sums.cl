@@ -56,8 +56,7 @@ shift_sums(global const float4* restrict points,
     const int x = (int)clamp(node.x, 0.0f, (float)last.x);
     const int y = (int)clamp(node.y, 0.0f, (float)last.y);
     const int z = (int)clamp(node.z, 0.0f, (float)last.z);
-    const uint array =
-        (x % every.x * every.y + y % every.y) * every.z + z % every.z;
+    const uint array = (x % every.x * every.y + y % every.y) * every.z + z % every.z;
     first[i] = array * size.x * size.y * size.z +
                (x / every.x * size.y + y / every.y) * size.z + z / every.z;
   }

@@ -39,7 +39,8 @@ isGoodEnough(const JudgedPose& judged,
              CandidateSearch& search,
              const Settings& settings)
 try {
-  return search.energyAt(judged.T_target_source, weights) <= settings.additional_process_threshold;
+  return search.energyAt(judged.T_target_source, weights) <=
+         settings.additional_process_threshold;
 }
 catch (const Stopped&) {
   return true; // it has to be
@@ -99,10 +100,9 @@ Alignment::align(const LocalCloud& source,
 
   // E_d of (e9) or E_cd of (e122) for all candidates, and their minima
   stages.begin("search");
-  const std::vector<Minimum> minima =
-      search.localMinima(shapes->source.simplified.points,
-                         shapes->target.simplified.points, shapes->scales,
-                         shapes->metric, done);
+  const std::vector<Minimum> minima = search.localMinima(
+      shapes->source.simplified.points, shapes->target.simplified.points,
+      shapes->scales, shapes->metric, done);
   stages.end();
 
   // (e11) and (e12)

@@ -347,7 +347,7 @@ TEST(Alignment, ReportsProgressAndTime)
   alignment.align(local(sampled(creature(), 2000, 54)),
                   local(sampled(creature(), 2000, 55)), 1.0, stages);
   const std::vector<std::string> expected{"preparation", "simplification", "search",
-                                        "refinement"};
+                                          "refinement"};
   EXPECT_EQ(expected, order);
   for (const auto& stage : done)
     EXPECT_EQ(1.0, stage.second) << stage.first;

@@ -59,8 +59,8 @@ inline double
 reachOf(std::size_t rotations)
 {
   constexpr double usual_rotations = 1728.0, usual_reach = 0.35;
-  const double steps =
-      std::cbrt(usual_rotations / static_cast<double>(std::max<std::size_t>(1, rotations)));
+  const double steps = std::cbrt(
+      usual_rotations / static_cast<double>(std::max<std::size_t>(1, rotations)));
   return usual_reach * std::max(1.0, steps);
 }
 

@@ -4,8 +4,8 @@
 
 #include "preparation/cleaning.h"
 
-#include "geometry/clouds.h"
 #include "geometry/cell_grid.h"
+#include "geometry/clouds.h"
 #include "geometry/median.h"
 #include "geometry/neighbourhoods.h"
 #include "geometry/take.h"

@@ -4,7 +4,6 @@
 
 #include "refinement/refinement.h"
 
-
 #include "geometry/pre_shape.h"
 #include "support/wide_vectors.h"
 

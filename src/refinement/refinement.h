@@ -6,9 +6,9 @@
 
 #include <pcl/registration/kss/detail/points.h>
 
+#include "geometry/nearest_points.h"
 #include "geometry/scale_range.h"
 #include "geometry/similarity.h"
-#include "geometry/nearest_points.h"
 
 #include <Eigen/Core>
 

@@ -78,9 +78,8 @@ Selection::best(const std::vector<Similarity>& poses,
   }
   std::vector<JudgedPose> judged;
   for (const Ranked& candidate : ranked)
-    judged.push_back(
-        {candidate.pose,
-         overlapAt(*shapes_.source.all, *shapes_.target.all, candidate.pose)});
+    judged.push_back({candidate.pose, overlapAt(*shapes_.source.all,
+                                                *shapes_.target.all, candidate.pose)});
   std::stable_sort(judged.begin(), judged.end(),
                    [](const JudgedPose& a, const JudgedPose& b) {
                      return a.overlap.score > b.overlap.score;
@@ -96,10 +95,9 @@ Selection::refineMoreAndMore(std::vector<Ranked>& ranked,
   for (const SelectionStep& step : stepsFromAfar(reach_, samples))
     ranked = refined(ranked, step);
   done(0.4);
-  const double spacing = std::max(ranked.front().pose.scale *
-                                      median(shapes_.source.all->spacing()),
-                                  static_cast<double>(median(
-                                      shapes_.target.all->spacing())));
+  const double spacing =
+      std::max(ranked.front().pose.scale * median(shapes_.source.all->spacing()),
+               static_cast<double>(median(shapes_.target.all->spacing())));
   double share = 0.4;
   for (const SelectionStep& step :
        stepsOnSurfaces(spacing, samples, shapes_.is_noisy)) {
@@ -130,9 +128,8 @@ Selection::refined(const std::vector<Ranked>& ranked, const SelectionStep& step)
     all[i].pose = refinement.refine(poses[i], step.effort);
     all[i].cost = costOf(all[i].pose, step);
   });
-  std::stable_sort(all.begin(), all.end(), [](const Ranked& a, const Ranked& b) {
-    return a.cost < b.cost;
-  });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Ranked& a, const Ranked& b) { return a.cost < b.cost; });
   DistinctPoses distinct(shapes_.metric, step.distinct);
   std::vector<Ranked> kept;
   for (const Ranked& candidate : all)

@@ -41,10 +41,24 @@ stepsFromAfar(double reach, Eigen::Index samples)
 {
   const double nearer = nearest(samples);
   return {// few points for all minima; what moves less than a rotation's step is one
-          {all, 0.0, false, false, {64, 6, reach, near, false}, PoseCost::DISTANCE, 0.15,
-           64, 0.15},
-          {60, 0.0, false, false, {200, 8, near, nearer, false}, PoseCost::DISTANCE,
-           std::max(0.1, nearer), 200, 0.12}};
+          {all,
+           0.0,
+           false,
+           false,
+           {64, 6, reach, near, false},
+           PoseCost::DISTANCE,
+           0.15,
+           64,
+           0.15},
+          {60,
+           0.0,
+           false,
+           false,
+           {200, 8, near, nearer, false},
+           PoseCost::DISTANCE,
+           std::max(0.1, nearer),
+           200,
+           0.12}};
 }
 
 std::vector<SelectionStep>
@@ -54,19 +68,30 @@ stepsOnSurfaces(double spacing, Eigen::Index samples, bool is_noisy)
   const Refinement::Effort fine{600, 40, wide, spacing, true};
   const Eigen::Index overlap = is_noisy ? most_probes : overlap_probes;
   // the reach falls from a few spacings to one, within which a surface covers another
-  std::vector<SelectionStep> steps{
-      {is_noisy ? 30u : 16u, 0.0, false, false,
-       {400, 10, wide, 2.0 * spacing, is_noisy}, PoseCost::OVERLAP, 0.0, overlap,
-       same_pose},
-      {most_alternatives, hopeless, false, false, fine, PoseCost::OVERLAP, 0.0, overlap,
-       same_pose}};
+  std::vector<SelectionStep> steps{{is_noisy ? 30u : 16u,
+                                    0.0,
+                                    false,
+                                    false,
+                                    {400, 10, wide, 2.0 * spacing, is_noisy},
+                                    PoseCost::OVERLAP,
+                                    0.0,
+                                    overlap,
+                                    same_pose},
+                                   {most_alternatives, hopeless, false, false, fine,
+                                    PoseCost::OVERLAP, 0.0, overlap, same_pose}};
   // what averaging leaves has shallow minima beside the right one
   if (is_noisy)
-    steps.push_back({2, 0.0, true, false, fine, PoseCost::OVERLAP, 0.0, overlap,
-                     same_pose});
-  steps.push_back({most_alternatives, hopeless, false, true,
-                   {most_probes, 100, 4.0 * spacing, spacing, true}, PoseCost::OVERLAP,
-                   0.0, overlap, same_pose});
+    steps.push_back(
+        {2, 0.0, true, false, fine, PoseCost::OVERLAP, 0.0, overlap, same_pose});
+  steps.push_back({most_alternatives,
+                   hopeless,
+                   false,
+                   true,
+                   {most_probes, 100, 4.0 * spacing, spacing, true},
+                   PoseCost::OVERLAP,
+                   0.0,
+                   overlap,
+                   same_pose});
   return steps;
 }
 

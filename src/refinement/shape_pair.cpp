@@ -35,8 +35,7 @@ sizeOf(const PreparedCloud& cloud, const PreShape& simplified)
 std::shared_ptr<const NearestPoints>
 allOf(const PreparedCloud& cloud, const PreShape& simplified, const Shape* before)
 {
-  const Eigen::Vector3f center =
-      (simplified.center - cloud.input.origin).cast<float>();
+  const Eigen::Vector3f center = (simplified.center - cloud.input.origin).cast<float>();
   const auto size = static_cast<float>(simplified.size);
   const Neighbourhoods& neighbourhoods = cloud.surface.neighbourhoods;
   const Surface surface{(cloud.surface.points.colwise() - center) / size,
@@ -87,12 +86,11 @@ shapePair(const PreparedPair& clouds,
       allOf(*clouds.source, source, before ? &before->source : nullptr);
   const auto allOfTarget =
       allOf(*clouds.target, target, before ? &before->target : nullptr);
-  return std::make_shared<ShapePair>(
-      ShapePair{{source, allOfSource, source_size},
-                {target, allOfTarget, target_size},
-                PoseMetric(source.points),
-                scalesBetween(source, target, settings),
-                clouds.is_noisy});
+  return std::make_shared<ShapePair>(ShapePair{{source, allOfSource, source_size},
+                                               {target, allOfTarget, target_size},
+                                               PoseMetric(source.points),
+                                               scalesBetween(source, target, settings),
+                                               clouds.is_noisy});
 }
 
 } // namespace kss

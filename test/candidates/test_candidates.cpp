@@ -277,8 +277,7 @@ TEST(Candidates, HaveThePlacementsOfTheirPoses)
     const auto placements = candidates.placements(range.first, range.second);
     ASSERT_EQ(range.second, placements.size());
     for (std::size_t i = 0; i < placements.size(); ++i)
-      EXPECT_EQ(candidates.pose(range.first + i).placement(),
-                placements[i]);
+      EXPECT_EQ(candidates.pose(range.first + i).placement(), placements[i]);
   }
 }
 

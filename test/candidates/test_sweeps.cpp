@@ -4,9 +4,8 @@
 
 #include "poses.h"
 
-#include "geometry/pre_shape.h"
 #include "candidates/sweeps.h"
-
+#include "geometry/pre_shape.h"
 
 #include <gtest/gtest.h>
 
@@ -53,8 +52,7 @@ farthestShift(const Sweep& sweep)
 {
   double farthest = 0.0;
   for (std::size_t i = 0; i < sweep.candidates.size(); ++i)
-    farthest =
-        std::max(farthest, sweep.candidates.pose(i).translation.norm());
+    farthest = std::max(farthest, sweep.candidates.pose(i).translation.norm());
   return farthest;
 }
 

@@ -49,9 +49,9 @@ TEST(ToIndex, IsInsideTheGridWhateverTheCoordinate)
   }
   EXPECT_EQ(3, toIndex(3.99, 9));
   EXPECT_EQ(9, toIndex(9.0f, 9));
-  EXPECT_EQ(Eigen::Vector3i(0, 2, 4),
-            toIndices(Eigen::Vector3f(-1.0f, 2.5f, 7.0f), Eigen::Vector3i(4, 4, 4))
-                .matrix());
+  EXPECT_EQ(
+      Eigen::Vector3i(0, 2, 4),
+      toIndices(Eigen::Vector3f(-1.0f, 2.5f, 7.0f), Eigen::Vector3i(4, 4, 4)).matrix());
   EXPECT_EQ(std::size_t(1) << 33, numberOfCells(Eigen::Array3i::Constant(1 << 11)));
 }
 

@@ -50,8 +50,8 @@ TEST(PoseMetric, IsTheDistanceOfThePlacedPoints)
   for (Eigen::Index i = 0; i < 50; ++i)
     line.col(i) = Eigen::Vector3f(1.0f, 2.0f, -1.0f) * static_cast<float>(i) / 50.0f;
   for (const Points& points :
-       {sampled(creature(), 500, 1), scattered(100, 2), sampled(pennant(), 300, 3), line,
-        Points(Points::Random(3, 1))}) {
+       {sampled(creature(), 500, 1), scattered(100, 2), sampled(pennant(), 300, 3),
+        line, Points(Points::Random(3, 1))}) {
     const Points cloud = centred(points);
     const double size = std::sqrt(cloud.squaredNorm() / cloud.cols());
     const PoseMetric metric(cloud);
@@ -60,11 +60,14 @@ TEST(PoseMetric, IsTheDistanceOfThePlacedPoints)
       const Eigen::Matrix4d b = randomSimilarity(2 * seed + 1);
       // what makes a flat cloud's scatter have a factor is a thousandth of its size
       const double tolerance = 1e-5 * (1.0 + apart(cloud, a, b)) + 1e-3 * size;
-      EXPECT_NEAR(apart(cloud, a, b), metric.distance(Similarity::of(a), Similarity::of(b)), tolerance);
-      EXPECT_EQ(metric.distance(Similarity::of(a), Similarity::of(b)), metric.distance(Similarity::of(b), Similarity::of(a)));
+      EXPECT_NEAR(apart(cloud, a, b),
+                  metric.distance(Similarity::of(a), Similarity::of(b)), tolerance);
+      EXPECT_EQ(metric.distance(Similarity::of(a), Similarity::of(b)),
+                metric.distance(Similarity::of(b), Similarity::of(a)));
       EXPECT_EQ(0.0, metric.distance(Similarity::of(a), Similarity::of(a)));
       const Eigen::Matrix4d c = besides(a, 0.02, seed);
-      EXPECT_NEAR(apart(cloud, a, c), metric.distance(Similarity::of(a), Similarity::of(c)),
+      EXPECT_NEAR(apart(cloud, a, c),
+                  metric.distance(Similarity::of(a), Similarity::of(c)),
                   0.001 * apart(cloud, a, c) + 1e-3 * size * 0.1 + 1e-5);
     }
   }
@@ -74,7 +77,8 @@ TEST(PoseMetric, IsAlwaysThere)
 {
   // all points in one place: what is left is the way that the place goes
   const PoseMetric metric(Points::Zero(3, 10));
-  const Eigen::Matrix4d here = similarity(Eigen::Quaterniond::Identity(), 1.0, {0, 0, 0});
+  const Eigen::Matrix4d here =
+      similarity(Eigen::Quaterniond::Identity(), 1.0, {0, 0, 0});
   const Eigen::Matrix4d there =
       similarity(Eigen::Quaterniond::Identity(), 2.0, {3, 4, 0});
   EXPECT_NEAR(5.0, metric.distance(Similarity::of(here), Similarity::of(there)), 1e-5);
@@ -95,7 +99,8 @@ TEST(DistinctPoses, AreThoseThatNoneBeforeIsCloseTo)
       // none is so near the limit that rounding decides
       const bool is_new =
           std::none_of(taken.begin(), taken.end(), [&](const Eigen::Matrix4d& other) {
-            return metric.distance(Similarity::of(pose), Similarity::of(other)) < distance;
+            return metric.distance(Similarity::of(pose), Similarity::of(other)) <
+                   distance;
           });
       ASSERT_EQ(is_new, distinct.take(Similarity::of(pose))) << distance;
       if (is_new)

@@ -79,9 +79,9 @@ TEST(PreShape, MapsPosesToTheClouds)
       local(transformed(sampled(creature(), 500, 7), randomSimilarity(7)), {9, 0, 0}));
   for (unsigned int seed = 0; seed < 10; ++seed) {
     const Eigen::Matrix4d pose = randomSimilarity(seed);
-    const Eigen::Matrix4d clouds =
-        (target.T_cloud_shape() * Similarity::of(pose) * source.T_cloud_shape().inverse())
-            .matrix();
+    const Eigen::Matrix4d clouds = (target.T_cloud_shape() * Similarity::of(pose) *
+                                    source.T_cloud_shape().inverse())
+                                       .matrix();
     // the definition: a point placed among the clouds, then brought to pre-shape space,
     // is the point brought there and then placed
     const Eigen::Vector3d unit(0.3, -0.2, 0.7);

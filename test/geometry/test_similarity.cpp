@@ -23,8 +23,8 @@ TEST(Similarity, IsItsMatrix)
     const Eigen::Matrix4d matrix = randomSimilarity(seed);
     const Similarity similarity = Similarity::of(matrix);
     EXPECT_NEAR(scaleIn(matrix), similarity.scale, 1e-12);
-    EXPECT_TRUE((similarity.rotation * similarity.rotation.transpose())
-                    .isIdentity(1e-12));
+    EXPECT_TRUE(
+        (similarity.rotation * similarity.rotation.transpose()).isIdentity(1e-12));
     EXPECT_TRUE(similarity.matrix().isApprox(matrix, 1e-14));
     EXPECT_EQ(similarity.matrix().topRows<3>().cast<float>(), similarity.placement());
     EXPECT_EQ(similarity.matrix().cast<float>(), similarity.affine().matrix());

@@ -40,7 +40,8 @@ loseProgram(const Settings& settings)
   for (int i = 0; i < 2; ++i) // then it is not even kept as a lost one
     EXPECT_THROW(
         {
-          const auto evaluator = makeOpenCLPairDistances(settings.device, settings.threads);
+          const auto evaluator =
+              makeOpenCLPairDistances(settings.device, settings.threads);
           evaluator->setClouds(Points::Zero(3, 1), Points::Zero(3, 1));
         },
         DeviceError);

@@ -143,8 +143,9 @@ TEST_F(Fork, DoesNotWaitForAThreadOfTheParent)
       makeOpenCLPairDistances("auto", 1);
   });
   for (int i = 0; i < 30; ++i)
-    EXPECT_EQ(
-        0, inChild([&] { return makePairDistances(settings_)->deviceName() == "host"; }));
+    EXPECT_EQ(0, inChild([&] {
+                return makePairDistances(settings_)->deviceName() == "host";
+              }));
   is_done = true;
   other.join();
 }

@@ -213,8 +213,8 @@ TEST_F(Again, AnotherCallbackIsTold)
 
 TEST(ICPPoints, OfAnyNumberGiveAboutTheSamePose)
 {
-  const auto pair = pairOf(sampled(creature(), 12000, 12), sampled(creature(), 12000, 13),
-                           randomSimilarity(14));
+  const auto pair = pairOf(sampled(creature(), 12000, 12),
+                           sampled(creature(), 12000, 13), randomSimilarity(14));
   std::vector<Eigen::Matrix4d> found;
   for (const unsigned int points : {0u, 5000u, 500u}) {
     KSSICP registration;
@@ -267,9 +267,9 @@ TEST(ICPPoints, AreSoManyOfThoseThatMayTakePart)
       ASSERT_NE(2, correspondence.index_query);
       const Eigen::Vector3f placed =
           pose * (*pair.source)[correspondence.index_query].getVector3fMap();
-      EXPECT_LT((placed - (*pair.target)[correspondence.index_match].getVector3fMap())
-                    .norm(),
-                0.3f);
+      EXPECT_LT(
+          (placed - (*pair.target)[correspondence.index_match].getVector3fMap()).norm(),
+          0.3f);
     }
   }
 }

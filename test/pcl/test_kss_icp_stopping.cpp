@@ -5,8 +5,8 @@
  * ends soon, says why, keeps the best pose so far, and is as good as new.
  */
 
-#include "pairs.h"
 #include "faults/thread_faults.h"
+#include "pairs.h"
 #include "search/candidate_search.h"
 
 #include <pcl/registration/kss/detail/stopping.h>

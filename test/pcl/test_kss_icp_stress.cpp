@@ -6,8 +6,8 @@
  */
 
 #include "faults/opencl_faults.h"
-#include "pairs.h"
 #include "faults/thread_faults.h"
+#include "pairs.h"
 
 #include <array>
 #include <atomic>

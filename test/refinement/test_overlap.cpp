@@ -169,10 +169,12 @@ TEST(Mode, IsWhatTheOverlapSpeaksFor)
 
 TEST(Misfit, IsSaidInPercent)
 {
-  EXPECT_NE(std::string::npos, misfitAt({0.0, 0.426, 0.1})
-                                   .find("0 % of the source and 43 % of the target"));
-  EXPECT_NE(std::string::npos, misfitAt({1.0, 0.42, 0.1})
-                                   .find("100 % of the source and 42 % of the target"));
+  EXPECT_NE(
+      std::string::npos,
+      misfitAt({0.0, 0.426, 0.1}).find("0 % of the source and 43 % of the target"));
+  EXPECT_NE(
+      std::string::npos,
+      misfitAt({1.0, 0.42, 0.1}).find("100 % of the source and 42 % of the target"));
 }
 
 } // namespace

@@ -5,8 +5,8 @@
 #include "poses.h"
 
 #include "preparation/farthest_points.h"
-#include <pcl/registration/kss/devices.h>
 #include "search/screening.h"
+#include <pcl/registration/kss/devices.h>
 
 #include <gtest/gtest.h>
 
@@ -47,9 +47,8 @@ energyOf(const Points& source,
   const bool on_target = side == Role::TARGET;
   const Points& fixed = on_target ? target : source;
   const Points& turned = on_target ? source : target;
-  const Points placed =
-      transformed(turned.leftCols(std::min(probes, turned.cols())),
-                  on_target ? pose : Eigen::Matrix4d(pose.inverse()));
+  const Points placed = transformed(turned.leftCols(std::min(probes, turned.cols())),
+                                    on_target ? pose : Eigen::Matrix4d(pose.inverse()));
   double sum = 0.0;
   for (Eigen::Index i = 0; i < placed.cols(); ++i)
     sum += std::min<double>(
@@ -131,8 +130,7 @@ TEST_P(Screens, HoldTheRightOne)
   // six tenths of the target, and a centre, rotation and scale that are nearly right
   const Points whole = sampled(lump(), 1000, 3);
   Points front = part(sampled(lump(), 1000, 4), {1, 0, 0}, 0.6);
-  const Eigen::Vector3f shift =
-      front.rowwise().mean() - whole.rowwise().mean();
+  const Eigen::Vector3f shift = front.rowwise().mean() - whole.rowwise().mean();
   const Points source = front.colwise() - front.rowwise().mean().eval();
   const Points target = whole.colwise() - whole.rowwise().mean().eval();
   CandidateCenters centers = spreadCenters(target, 1.1, 0.36);
@@ -162,9 +160,8 @@ TEST_P(Screens, FollowCloudsCentersAndLimits)
                           Role side, double reach, float most) {
     any.setClouds(source, target, most);
     const Points& cloud = side == Role::TARGET ? target : source;
-    return any.lowest(Candidates(rotations_, scales_, spreadCenters(cloud, reach, 0.4),
-                                 side),
-                      500);
+    return any.lowest(
+        Candidates(rotations_, scales_, spreadCenters(cloud, reach, 0.4), side), 500);
   };
   const auto expectAsFresh = [&](const Points& source, const Points& target, Role side,
                                  double reach, float most) {

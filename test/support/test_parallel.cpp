@@ -4,8 +4,8 @@
  * Loops that threads share, and what ends them early.
  */
 
-#include "support/parallel.h"
 #include "faults/thread_faults.h"
+#include "support/parallel.h"
 
 #include <gtest/gtest.h>
 

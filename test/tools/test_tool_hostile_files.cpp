@@ -2,12 +2,12 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
-#include "io/fields.h"
 #include "command_line/local_frame.h"
 #include "command_line/output_file.h"
-#include "own_folder.h"
+#include "io/fields.h"
 #include "io/read_geometry.h"
 #include "io/write_geometry.h"
+#include "own_folder.h"
 
 #include <gtest/gtest.h>
 

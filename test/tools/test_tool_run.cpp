@@ -504,14 +504,39 @@ TEST_F(ToolRun, ShowsHelpVersionAndDevices)
   std::string help;
   for (std::string word; words >> word;)
     help += word + ' ';
-  for (const char* option :
-       {"--transform", "--report", "--mode", "--scale-range", "--paper",
-        "--no-cleaning", "--rigid", "--points", "--angle-step", "--rotations",
-        "--density", "--device", "--list-devices", "--threads", "--samples", "--quiet",
-        "--version", "--help", "Example", "--centers", "--energy", "--search",
-        "--search-points", "--kernel", "--additional-process", "--icp-points",
-        "--confidence", "--time-limit", "default 2000", "3 to 180 degrees",
-        "default 30)", "(default even)", "1 to 100000 rotations; default 1728"})
+  for (const char* option : {"--transform",
+                             "--report",
+                             "--mode",
+                             "--scale-range",
+                             "--paper",
+                             "--no-cleaning",
+                             "--rigid",
+                             "--points",
+                             "--angle-step",
+                             "--rotations",
+                             "--density",
+                             "--device",
+                             "--list-devices",
+                             "--threads",
+                             "--samples",
+                             "--quiet",
+                             "--version",
+                             "--help",
+                             "Example",
+                             "--centers",
+                             "--energy",
+                             "--search",
+                             "--search-points",
+                             "--kernel",
+                             "--additional-process",
+                             "--icp-points",
+                             "--confidence",
+                             "--time-limit",
+                             "default 2000",
+                             "3 to 180 degrees",
+                             "default 30)",
+                             "(default even)",
+                             "1 to 100000 rotations; default 1728"})
     EXPECT_NE(std::string::npos, help.find(option)) << option;
   EXPECT_EQ(0u, run("--version").output.find("pcl_kss_icp "));
 }

@@ -4,8 +4,8 @@
 
 #include "outputs.h"
 
-#include "report.h"
 #include "io/write_geometry.h"
+#include "report.h"
 
 #include <filesystem>
 #include <set>

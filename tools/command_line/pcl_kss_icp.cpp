@@ -3,10 +3,10 @@
  */
 
 #include "io/mesh_sampling.h"
+#include "io/read_geometry.h"
 #include "options.h"
 #include "outputs.h"
 #include "progress_bar.h"
-#include "io/read_geometry.h"
 #include "registration.h"
 #include "report.h"
 #include "signals.h"

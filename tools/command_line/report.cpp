@@ -139,8 +139,7 @@ summaryText(const Result& result)
   text << std::setprecision(4) << "Transformation of SOURCE onto TARGET:\n"
        << table(pose.transformation) << "Scale:    " << result.scale
        << "\nOverlap:  " << percent(pose.overlap.source) << " of SOURCE, "
-       << percent(pose.overlap.target) << " of TARGET ("
-       << inWords(result.mode) << ")"
+       << percent(pose.overlap.target) << " of TARGET (" << inWords(result.mode) << ")"
        << "\nSure:     " << percent(result.confidence)
        << (result.ambiguous ? ", but another pose is about as good (see --report)" : "")
        << "\nTime:     " << result.seconds << " s on " << result.device << ", search "

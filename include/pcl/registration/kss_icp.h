@@ -7,13 +7,13 @@
 #include <pcl/point_types.h>
 #include <pcl/registration/icp.h>
 #include <pcl/registration/kss/alignment.h>
+#include <pcl/registration/kss/detail/cloud_conversion.h>
+#include <pcl/registration/kss/detail/stopping.h>
 #include <pcl/registration/kss/devices.h>
 #include <pcl/registration/kss/failure.h>
 #include <pcl/registration/kss/result.h>
 #include <pcl/registration/kss/settings.h>
 #include <pcl/registration/kss/stages.h>
-#include <pcl/registration/kss/detail/cloud_conversion.h>
-#include <pcl/registration/kss/detail/stopping.h>
 
 #include <functional>
 #include <limits>
@@ -86,7 +86,8 @@ namespace pcl {
  * \ingroup registration
  */
 template <typename PointSource, typename PointTarget, typename Scalar = float>
-class PCL_KSS_ICP_EXPORT KSSICP : public IterativeClosestPoint<PointSource, PointTarget, Scalar> {
+class PCL_KSS_ICP_EXPORT KSSICP
+: public IterativeClosestPoint<PointSource, PointTarget, Scalar> {
   using Base = IterativeClosestPoint<PointSource, PointTarget, Scalar>;
 
 public:

@@ -219,9 +219,8 @@ scopeOf(const Sweep& sweep, Energy energy, float limit, Eigen::Index points)
   // force's work. Of means, all points must be bounded closely, of largest distances
   // but a few.
   const double size = sweep.candidates.size();
-  const double worth = isOfLargest(energy)
-                           ? std::max(100.0 * std::sqrt(size), 8192.0)
-                           : std::max(400.0 * std::sqrt(size), 32768.0);
+  const double worth = isOfLargest(energy) ? std::max(100.0 * std::sqrt(size), 8192.0)
+                                           : std::max(400.0 * std::sqrt(size), 32768.0);
   scope.nodes = static_cast<std::size_t>(std::min(worth, size * points / 16.0));
   return scope;
 }

@@ -5,11 +5,11 @@
 #include "poses.h"
 
 #include "evaluators/bounds.h"
+#include "geometry/pre_shape.h"
+#include "preparation/simplification.h"
 #include "search/candidate_search.h"
 #include "search/exact/exact_search.h"
 #include <pcl/registration/kss/devices.h>
-#include "geometry/pre_shape.h"
-#include "preparation/simplification.h"
 
 #include "evaluators/evaluator_choice.h"
 

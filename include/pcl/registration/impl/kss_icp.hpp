@@ -172,9 +172,9 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
   std::optional<double> guessed_scale;
   if (guessed)
     guessed_scale = kss::scaleOf(*guessed);
-  const kss::Aligned aligned =
-      alignment.align(kss::toLocalCloud(*input_, source_points),
-                      kss::toLocalCloud(*target_, target_points), guessed_scale, stages_);
+  const kss::Aligned aligned = alignment.align(
+      kss::toLocalCloud(*input_, source_points),
+      kss::toLocalCloud(*target_, target_points), guessed_scale, stages_);
   device_name_ = alignment.deviceName();
 
   // ICP on the clouds themselves
@@ -346,8 +346,8 @@ KSSICP<PointSource, PointTarget, Scalar>::accept(const Contender& contender,
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 void
-KSSICP<PointSource, PointTarget, Scalar>::list(
-    const std::vector<Contender>& contenders, const kss::PoseScorer& scorer)
+KSSICP<PointSource, PointTarget, Scalar>::list(const std::vector<Contender>& contenders,
+                                               const kss::PoseScorer& scorer)
 {
   for (const Contender& contender : contenders)
     if (std::none_of(alternatives_.begin(), alternatives_.end(),
