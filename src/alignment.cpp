@@ -10,7 +10,7 @@
 #include "geometry/pre_shape.h"
 #include "preparation/preparation.h"
 #include "refinement/selection.h"
-#include "refinement/shape_pair.h"
+#include "preparation/shape_pair.h"
 #include "search/candidate_search.h"
 
 namespace pcl {

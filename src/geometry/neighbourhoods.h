@@ -64,5 +64,10 @@ surfaceVariation(const Points& points,
 Eigen::VectorXf
 spacingOf(const Neighbourhoods& neighbourhoods);
 
+/** \brief How near a surface a point counts as covered by it, in spacings: of random
+ * points on a surface, one in a thousand has no point of another such sampling within
+ * this distance. */
+constexpr float covered = 1.5f;
+
 } // namespace kss
 } // namespace pcl

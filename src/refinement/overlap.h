@@ -16,11 +16,6 @@
 namespace pcl {
 namespace kss {
 
-/** \brief How near a surface a point counts as covered by it, in spacings: of random
- * points on a surface, one in a thousand has no point of another such sampling within
- * this distance. */
-constexpr float covered = 1.5f;
-
 /** \brief Measure the overlap at a pose.
  *
  * The tolerance is the spacing of the points, the wider one of the two clouds: a

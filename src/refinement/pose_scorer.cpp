@@ -7,7 +7,7 @@
 
 #include "geometry/median.h"
 #include "refinement/overlap.h"
-#include "refinement/shape_pair.h"
+#include "preparation/shape_pair.h"
 
 #include <algorithm>
 

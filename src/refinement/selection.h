@@ -8,7 +8,7 @@
 
 #include "geometry/similarity.h"
 #include "refinement/selection_steps.h"
-#include "refinement/shape_pair.h"
+#include "preparation/shape_pair.h"
 
 #include <functional>
 #include <vector>

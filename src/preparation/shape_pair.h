@@ -11,7 +11,7 @@
 #include "geometry/pre_shape.h"
 #include "geometry/scale_range.h"
 #include "preparation/preparation.h"
-#include "refinement/determinacy.h"
+#include "preparation/determinacy.h"
 
 #include <memory>
 #include <optional>

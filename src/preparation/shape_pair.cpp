@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
-#include "refinement/shape_pair.h"
+#include "preparation/shape_pair.h"
 
 #include <pcl/registration/kss/detail/naming.h>
 

@@ -2,11 +2,11 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
-#include "refinement/determinacy.h"
+#include "preparation/determinacy.h"
 
 #include <pcl/registration/kss/detail/naming.h>
 
-#include "refinement/overlap.h"
+#include "geometry/neighbourhoods.h"
 #include "support/short_text.h"
 
 #include <utility>
