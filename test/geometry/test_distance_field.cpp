@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -103,6 +104,53 @@ TEST(DistanceField, HasNoMoreThanFourMillionCells)
     const Eigen::Vector3f position = points.col(0) + Eigen::Vector3f(0, 0, 0.3f);
     EXPECT_NEAR(0.3f, flat.distances()[flat.cellOf(position)], 0.45f);
   }
+}
+
+/** Of how many half diagonals the distance of a cell is too long, at its centre. */
+double
+longestError(const Points& cloud, float cell, float margin)
+{
+  const DistanceField field(cloud, cell, margin);
+  const double edge = 1.0 / field.inverseEdge(), half = 0.5 * std::sqrt(3.0) * edge;
+  double longest = 0.0;
+  for (std::size_t i = 0; i < field.distances().size(); ++i) {
+    const Eigen::Vector3i at(i % field.size().x(),
+                             i / field.size().x() % field.size().y(),
+                             i / field.size().x() / field.size().y());
+    const Eigen::Vector3f center =
+        field.lower() +
+        (edge * (at.cast<double>().array() + 0.5)).matrix().cast<float>();
+    const auto distances = (cloud.colwise() - center).colwise().norm();
+    const double nearest = distances.minCoeff(), found = field.distances()[i];
+    const double rounding = 1e-5 * (1.0 + nearest);
+    EXPECT_NEAR((cloud.col(field.nearest(i)) - center).norm(), found, rounding);
+    EXPECT_GE(found, nearest - rounding);
+    EXPECT_LE(found,
+              std::sqrt(3.0) * nearest + (1.0 + std::sqrt(3.0)) * half + rounding);
+    longest = std::max(longest, (found - nearest) / half);
+  }
+  return longest;
+}
+
+TEST(DistanceField, KnowsPointsThatAreAsNearAsItSays)
+{
+  double longest = 0.0;
+  for (unsigned int seed = 0; seed < 60 && !::testing::Test::HasFailure(); ++seed) {
+    // few points, in clusters or not: most of the cells are far from any
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> coordinate(0.0f, 1.0f);
+    Points cloud(3, 1 + random() % 40);
+    for (float& value : cloud.reshaped())
+      value = coordinate(random);
+    if (seed % 3 == 1)
+      cloud.row(2) *= 0.01f;
+    if (seed % 3 == 2)
+      cloud = (3.0f * cloud).array().floor() / 3.0f + 0.08f * cloud.array();
+    longest = std::max(longest, longestError(cloud, 0.03f + 0.1f * coordinate(random),
+                                             seed % 2 ? 0.3f : 1.0f));
+  }
+  // not all of them are the nearest, nor within half a diagonal of it
+  EXPECT_GT(longest, 1.0);
 }
 
 } // namespace

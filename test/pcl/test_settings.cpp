@@ -161,40 +161,43 @@ TEST(KSSICP, TakesWhatIsWithinTheBounds)
   }
 }
 
+/** A setting that is refused, and what is said of it. */
+struct Wrong {
+  std::function<void(Settings&)> change;
+  std::string named, bounds;
+};
+
+const Wrong wrongs[] = {
+    {[](Settings& s) { s.sample_points = 0; }, "sample_points 0", "at least 20"},
+    {[](Settings& s) { s.sample_points = 19; }, "sample_points 19", "points"},
+    {[](Settings& s) { s.angle_step = 0.0; }, "angle_step 0", "radians"},
+    {[](Settings& s) { s.angle_step = -1.0; }, "angle_step -1", "0.05 to"},
+    {[](Settings& s) { s.angle_step = 3.2; }, "angle_step 3.2", "3.141593"},
+    {[](Settings& s) { s.angle_step = nan; }, "angle_step nan", "radians"},
+    {[](Settings& s) { s.angle_step = 1e-9; }, "angle_step 1e-09", "radians"},
+    {[](Settings& s) { s.even_rotations = 0; }, "even_rotations 0", "1 to 100000"},
+    {[](Settings& s) { s.even_rotations = 100001; }, "even_rotations 100001", "to"},
+    {[](Settings& s) { s.search_points = 0; }, "search_points 0", "1 to 128 points"},
+    {[](Settings& s) { s.search_points = 129; }, "search_points 129", "1 to 128"},
+    {[](Settings& s) { s.local_minimum_kernel = 2; }, "kernel 2", "at least 3 steps"},
+    {[](Settings& s) { s.additional_process_threshold = -1e-9; },
+     "additional_process_threshold -1e-09", "at least 0"},
+    {[](Settings& s) { s.additional_process_threshold = nan; },
+     "additional_process_threshold nan", "at least 0"},
+    {[](Settings& s) { s.minimum_confidence = -0.1; }, "confidence -0.1", "0 to 1"},
+    {[](Settings& s) { s.minimum_confidence = 1.1; }, "confidence 1.1", "0 to 1"},
+    {[](Settings& s) { s.minimum_confidence = nan; }, "confidence nan", "0 to 1"},
+    {[](Settings& s) { s.time_limit = -1.0; }, "time_limit -1", "seconds"},
+    {[](Settings& s) { s.time_limit = nan; }, "time_limit nan", "seconds"},
+    {[](Settings& s) { s.smallest_scale = -1.0; }, "smallest_scale -1", "at least 0"},
+    {[](Settings& s) { s.smallest_scale = 3.0; }, "smallest_scale 3", "largest"},
+    {[](Settings& s) { s.smallest_scale = nan; }, "smallest_scale nan", "at least 0"},
+    {[](Settings& s) { s.largest_scale = nan; }, "largest_scale nan", "at least 0"},
+    {[](Settings& s) { s.smallest_scale = s.largest_scale = 0.0; }, "largest_scale 0",
+     "above 0"}};
+
 TEST(KSSICP, RefusesNonsenseAndSaysWhy)
 {
-  struct Wrong {
-    std::function<void(Settings&)> change;
-    std::string named, bounds;
-  };
-  const Wrong wrongs[] = {
-      {[](Settings& s) { s.sample_points = 0; }, "sample_points 0", "at least 20"},
-      {[](Settings& s) { s.sample_points = 19; }, "sample_points 19", "points"},
-      {[](Settings& s) { s.angle_step = 0.0; }, "angle_step 0", "radians"},
-      {[](Settings& s) { s.angle_step = -1.0; }, "angle_step -1", "0.05 to"},
-      {[](Settings& s) { s.angle_step = 3.2; }, "angle_step 3.2", "3.141593"},
-      {[](Settings& s) { s.angle_step = nan; }, "angle_step nan", "radians"},
-      {[](Settings& s) { s.angle_step = 1e-9; }, "angle_step 1e-09", "radians"},
-      {[](Settings& s) { s.even_rotations = 0; }, "even_rotations 0", "1 to 100000"},
-      {[](Settings& s) { s.even_rotations = 100001; }, "even_rotations 100001", "to"},
-      {[](Settings& s) { s.search_points = 0; }, "search_points 0", "1 to 128 points"},
-      {[](Settings& s) { s.search_points = 129; }, "search_points 129", "1 to 128"},
-      {[](Settings& s) { s.local_minimum_kernel = 2; }, "kernel 2", "at least 3 steps"},
-      {[](Settings& s) { s.additional_process_threshold = -1e-9; },
-       "additional_process_threshold -1e-09", "at least 0"},
-      {[](Settings& s) { s.additional_process_threshold = nan; },
-       "additional_process_threshold nan", "at least 0"},
-      {[](Settings& s) { s.minimum_confidence = -0.1; }, "confidence -0.1", "0 to 1"},
-      {[](Settings& s) { s.minimum_confidence = 1.1; }, "confidence 1.1", "0 to 1"},
-      {[](Settings& s) { s.minimum_confidence = nan; }, "confidence nan", "0 to 1"},
-      {[](Settings& s) { s.time_limit = -1.0; }, "time_limit -1", "seconds"},
-      {[](Settings& s) { s.time_limit = nan; }, "time_limit nan", "seconds"},
-      {[](Settings& s) { s.smallest_scale = -1.0; }, "smallest_scale -1", "at least 0"},
-      {[](Settings& s) { s.smallest_scale = 3.0; }, "smallest_scale 3", "largest"},
-      {[](Settings& s) { s.smallest_scale = nan; }, "smallest_scale nan", "at least 0"},
-      {[](Settings& s) { s.largest_scale = nan; }, "largest_scale nan", "at least 0"},
-      {[](Settings& s) { s.smallest_scale = s.largest_scale = 0.0; }, "largest_scale 0",
-       "above 0"}};
   KSSICP r;
   Settings before;
   before.sample_points = 123;

@@ -1,0 +1,172 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * What the command line tool says of what is wrong, and of itself.
+ */
+
+#include "tool_run.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace kss_test;
+
+/** Arguments, and what the message about them has to name. */
+using Cases = std::vector<std::pair<std::string, std::string>>;
+
+const Cases wrong_command_lines{{"", "needs SOURCE"},
+                                {"source.xyz", "needs SOURCE"},
+                                {"source.xyz target.xyz a.ply b.ply", "needs SOURCE"},
+                                {"source.xyz target.xyz --unknown", "--unknown"},
+                                {"source.xyz target.xyz --rep r.json", "--rep"},
+                                {"source.xyz target.xyz --report", "--report"},
+                                {"source.xyz target.xyz --report ''", "--report"},
+                                {"source.xyz target.xyz ''", "empty"},
+                                {"source.xyz target.xyz --mode", "--mode"}};
+
+const Cases wrong_values{
+    {"source.xyz target.xyz --points 19", "--points 19"},
+    {"source.xyz target.xyz --points many", "--points many"},
+    {"source.xyz target.xyz --points=-300", "--points -300"},
+    {"source.xyz target.xyz --points 300.5", "--points 300.5"},
+    {"source.xyz target.xyz --angle-step 0", "--angle-step 0"},
+    {"source.xyz target.xyz --angle-step nan", "--angle-step nan"},
+    {"source.xyz target.xyz --angle-step 30x", "--angle-step 30x"},
+    {"source.xyz target.xyz --rotations odd", "--rotations odd"},
+    {"source.xyz target.xyz --rotations even:", "--rotations"},
+    {"source.xyz target.xyz --rotations even:0", "--rotations"},
+    {"source.xyz target.xyz --mode whole", "--mode whole"},
+    {"source.xyz target.xyz --scale-range 1", "--scale-range"},
+    {"source.xyz target.xyz --scale-range 2 1", "--scale-range 1"},
+    {"source.xyz target.xyz --scale-range 0 1", "--scale-range 0"},
+    {"source.xyz target.xyz --scale-range a b", "--scale-range a"},
+    {"source.xyz target.xyz --density high", "--density high"},
+    {"source.xyz target.xyz --density random", "use uniform or paper"},
+    {"source.xyz target.xyz --points 1000001", "20 to 1000000 points"},
+    {"source.xyz target.xyz --angle-step 2.9", "3 to 180 degrees"},
+    {"source.xyz target.xyz --angle-step 181", "3 to 180 degrees"},
+    {"source.xyz target.xyz --rotations euler:9", "--rotations euler:9"},
+    {"source.xyz target.xyz --rotations even:100001", "1 to 100000 rotations"},
+    {"source.xyz target.xyz --mode whole", "use auto, global, partial or overlap"},
+    {"source.xyz target.xyz --scale-range 1e-7 1", "--scale-range 1e-7"},
+    {"source.xyz target.xyz --scale-range 1 1e7", "--scale-range 1e7"},
+    {"source.xyz target.xyz --centers none", "--centers none"},
+    {"source.xyz target.xyz --energy ''", "--energy ''"},
+    {"source.xyz target.xyz --search brute", "use screened or exact"},
+    {"source.xyz target.xyz --search-points 129", "--search-points 129"},
+    {"source.xyz target.xyz --kernel 2", "--kernel 2"},
+    {"source.xyz target.xyz --additional-process=-1", "--additional-process -1"},
+    {"source.xyz target.xyz --icp-points all", "--icp-points all"},
+    {"source.xyz target.xyz --icp-points 4294967296", "--icp-points 4294967296"},
+    {"source.xyz target.xyz --confidence 1.1", "--confidence 1.1"},
+    {"source.xyz target.xyz --time-limit 0.0009", "0.001 to 1e+09 seconds"},
+    {"source.xyz target.xyz --device nonesuch", "--device nonesuch"},
+    {"source.xyz target.xyz --device ''", "--device"},
+    {"source.xyz target.xyz --threads 2000", "--threads 2000"},
+    {"source.xyz target.xyz --samples 1", "--samples 1"}};
+
+const Cases wrong_files{
+    {"missing.ply target.xyz", "missing.ply"},
+    {"source.xyz missing.xyz", "missing.xyz"},
+    {"a_directory.ply target.xyz", "a_directory.ply"},
+    {"short.off target.xyz", "short.off"},
+    {"binary.xyz target.xyz", "binary.xyz"},
+    {"source.las target.xyz", "source.las"},
+    {"source.xyz target.xyz aligned.las", "aligned.las"},
+    {"source.xyz target.xyz aligned", "aligned"},
+    {"source.xyz target.xyz aligned.stl", "aligned.stl"},
+    {"source.xyz target.xyz no_directory/aligned.ply", "no_directory/aligned.ply"},
+    {"source.xyz target.xyz --transform no_directory/t", "no_directory/t"},
+    {"source.xyz target.xyz --report a_directory.ply", "a_directory.ply"},
+    {"source.xyz target.xyz source.xyz", "source.xyz"},
+    {"source.xyz target.xyz --report r --transform ./r", "r: is named twice"}};
+
+TEST_F(ToolRun, NamesWhatIsWrong)
+{
+  const auto before = files();
+  for (const Cases* cases : {&wrong_command_lines, &wrong_values, &wrong_files})
+    for (const auto& [arguments, name] : *cases) {
+      SCOPED_TRACE(arguments);
+      const Outcome result = run(arguments);
+      EXPECT_EQ(2, result.status);
+      EXPECT_EQ("", result.output);
+      EXPECT_EQ(0u, result.errors.find("pcl_kss_icp: ")) << result.errors;
+      EXPECT_NE(std::string::npos, result.errors.find(name)) << result.errors;
+      EXPECT_EQ(1, std::count_if(result.errors.begin(), result.errors.end(),
+                                 [](unsigned char c) { return std::iscntrl(c); }))
+          << result.errors; // the end of the only line
+    }
+  EXPECT_EQ(before, files());
+}
+
+TEST_F(ToolRun, LeavesNoPartsOfOutputs)
+{
+  if (!std::filesystem::exists("/dev/full"))
+    GTEST_SKIP() << "needs /dev/full";
+  const auto before = files();
+  const Outcome result = search("source.xyz target.xyz aligned.ply --report /dev/full");
+  EXPECT_EQ(2, result.status);
+  EXPECT_NE(std::string::npos, result.errors.find("/dev/full"));
+  EXPECT_EQ(before, files());
+  // the summary is an output, too
+  EXPECT_EQ(
+      2, search("source.xyz target.xyz > /dev/full 2> /dev/null ; exit $? #").status);
+}
+
+TEST_F(ToolRun, ShowsHelpVersionAndDevices)
+{
+  for (const std::string arguments : {"--help", "-h", "--version", "--list-devices"}) {
+    const Outcome result = run(arguments);
+    EXPECT_EQ(0, result.status) << arguments;
+    EXPECT_EQ("", result.errors) << arguments;
+  }
+  // in one line
+  std::istringstream words(run("--help").output);
+  std::string help;
+  for (std::string word; words >> word;)
+    help += word + ' ';
+  for (const char* option : {"--transform",
+                             "--report",
+                             "--mode",
+                             "--scale-range",
+                             "--paper",
+                             "--no-cleaning",
+                             "--rigid",
+                             "--points",
+                             "--angle-step",
+                             "--rotations",
+                             "--density",
+                             "--device",
+                             "--list-devices",
+                             "--threads",
+                             "--samples",
+                             "--quiet",
+                             "--version",
+                             "--help",
+                             "Example",
+                             "--centers",
+                             "--energy",
+                             "--search",
+                             "--search-points",
+                             "--kernel",
+                             "--additional-process",
+                             "--icp-points",
+                             "--confidence",
+                             "--time-limit",
+                             "default 2000",
+                             "3 to 180 degrees",
+                             "default 30)",
+                             "(default even)",
+                             "1 to 100000 rotations; default 1728"})
+    EXPECT_NE(std::string::npos, help.find(option)) << option;
+  EXPECT_EQ(0u, run("--version").output.find("pcl_kss_icp "));
+}
+
+} // namespace
