@@ -2,8 +2,9 @@
  * SPDX-License-Identifier: BSD-3-Clause
  *
  * Distances between the target and the source placed by each candidate, looked up in
- * distance fields: E_d of (e9) and E_cd of (e122). One work-item per candidate, as in
- * Algorithm 2 of the paper; vectors across eight points, their coordinates apart.
+ * distance fields: what the truncated means, which take the place of E_d of (e9) and
+ * E_cd of (e122), are made of. One work-item per candidate, as in Algorithm 2 of the
+ * paper; vectors across eight points, their coordinates apart.
  */
 
 #include "common.cl"

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  *
  * Distances, both ways, between the target and the source placed by each candidate,
- * from all pairs of points: E_d of (e9). One work-item per candidate, no local memory,
+ * from all pairs of points: E_d of (e9) and E_cd of (e122). One work-item per candidate, no local memory,
  * no barrier.
  *
  * The target lies in tiles of eight points, x, y and z apart, so that a CPU fills its

@@ -9,8 +9,8 @@
 #include "candidates/numbers.h"
 #include "geometry/pre_shape.h"
 #include "preparation/preparation.h"
-#include "refinement/selection.h"
 #include "preparation/shape_pair.h"
+#include "refinement/selection.h"
 #include "search/candidate_search.h"
 
 namespace pcl {
@@ -46,7 +46,8 @@ catch (const Stopped&) {
   return true; // it has to be
 }
 
-/** T O_init of (e11); the additional process of (e12) where it is not good enough. */
+/** ICP between the shapes, (e7) and (e8), from O_init; the additional process of (e12),
+ * from all minima, where that is not good enough. */
 std::vector<JudgedPose>
 refined(const std::vector<Minimum>& minima,
         const ShapePair& shapes,
@@ -98,14 +99,14 @@ Alignment::align(const LocalCloud& source,
   shapes = shapePair(clouds, guessed_scale, settings, shapes.get());
   stages.end();
 
-  // E_d of (e9) or E_cd of (e122) for all candidates, and their minima
+  // E_d of (e9) or E_cd of (e122), and its minima over {O} and {C}: (e10), (e13)
   stages.begin("search");
   const std::vector<Minimum> minima = search.localMinima(
       shapes->source.simplified.points, shapes->target.simplified.points,
       shapes->scales, shapes->metric, done);
   stages.end();
 
-  // (e11) and (e12)
+  // (e7), (e8) and (e12); T of (e11) is left to the clouds themselves
   stages.begin("refinement");
   const Similarity T_target_shape = shapes->target.simplified.T_cloud_shape();
   const Similarity T_shape_source = shapes->source.simplified.T_cloud_shape().inverse();

@@ -32,9 +32,11 @@ struct DirectedDistances {
   }
 };
 
-/** \brief How much the two directed distances count in an energy: (1, 1) for clouds
- * that share what they share, (1, 0) for the directed energy (e122) of a source that is
- * a part of the target.
+/** \brief How much the two directed distances count in an energy: (1, 1) for complete
+ * clouds and for two parts, (1, 0) for a source that is a part of the target.
+ *
+ * (e122) prints H, the larger of both: what the part lacks would decide. It has to be
+ * the distance directed from the part to the whole.
  */
 struct Weights {
   float source_to_target, target_to_source;

@@ -41,7 +41,7 @@ constexpr double most_centers = 10000.0;
 
 /** What the second direction counts where one cloud is a part of the other: enough for
  * the energy not to fall when the part shrinks. */
-constexpr float neutral = 0.25f;
+constexpr float weight_of_other_direction = 0.25f;
 
 // What counts as near.
 

@@ -127,18 +127,27 @@ EvenRotations::findNeighbours(std::size_t index, unsigned int kernel) const
 std::size_t
 numberOfRotations(const Settings& settings)
 {
-  if (settings.rotation_set == RotationSet::EVEN)
-    return settings.even_rotations;
-  const auto steps = static_cast<std::size_t>(stepsOfCircle(settings.angle_step));
-  return steps * steps * steps;
+  switch (settings.rotation_set) {
+  case RotationSet::EULER: {
+    const auto steps = static_cast<std::size_t>(stepsOfCircle(settings.angle_step));
+    return steps * steps * steps;
+  }
+  case RotationSet::EVEN:
+    break;
+  }
+  return settings.even_rotations;
 }
 
 std::unique_ptr<CandidateRotations>
 candidateRotations(const Settings& settings)
 {
-  if (settings.rotation_set == RotationSet::EVEN)
-    return std::make_unique<EvenRotations>(settings.even_rotations);
-  return std::make_unique<EulerRotations>(settings.angle_step);
+  switch (settings.rotation_set) {
+  case RotationSet::EULER:
+    return std::make_unique<EulerRotations>(settings.angle_step);
+  case RotationSet::EVEN:
+    break;
+  }
+  return std::make_unique<EvenRotations>(settings.even_rotations);
 }
 
 } // namespace kss

@@ -102,7 +102,7 @@ private:
   float
   other() const
   {
-    return isOfLargest(settings_.energy) ? 0.0f : neutral;
+    return isOfLargest(settings_.energy) ? 0.0f : weight_of_other_direction;
   }
 
   Weights
@@ -176,9 +176,10 @@ sweepsOf(const Settings& settings,
     return sweeps.partOfWhole();
   case Mode::PARTIAL_PARTIAL:
     return sweeps.twoParts(false);
-  default:
-    return sweeps.twoParts(true);
+  case Mode::AUTOMATIC:
+    break;
   }
+  return sweeps.twoParts(true);
 }
 
 } // namespace kss

@@ -20,12 +20,18 @@ namespace kss {
 inline DistanceField
 lookUpField(const Points& points, float limit)
 {
+  // a cell as wide as this leaves a distance off by 0.3 of the limit at most
+  constexpr float cell_of_limit = 0.35f;
+  // some fifty cells along the cloud
+  constexpr float cell_of_cloud = 0.02f;
+  // the limit is wider in the frame of a source that the pose shrinks
+  constexpr float margin = 2.0f;
   const float extent = longestEdge(points);
   const float counts = std::min(limit, 0.25f * extent);
-  // the limit is wider in the frame of a source that the pose shrinks
-  return DistanceField(points,
-                       std::max(0.35f * counts, 0.02f * extent * coarseness(points)),
-                       2.0f * counts);
+  return DistanceField(
+      points,
+      std::max(cell_of_limit * counts, cell_of_cloud * extent * coarseness(points)),
+      margin * counts);
 }
 
 /** \brief Source and target of look-ups, with what an evaluator makes of each, which is

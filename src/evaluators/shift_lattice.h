@@ -7,7 +7,7 @@
 #include <pcl/registration/kss/detail/points.h>
 
 #include "candidates/centers.h"
-#include "evaluators/distance_evaluator.h"
+#include "geometry/placement.h"
 
 #include <cstdint>
 #include <vector>

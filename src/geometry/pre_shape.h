@@ -11,7 +11,8 @@
 namespace pcl {
 namespace kss {
 
-/** \brief A cloud's representation K_s in pre-shape space: centred, of unit size. */
+/** \brief A cloud's representation K_s in pre-shape space: centred, of unit size
+ * (or, where the scale of a pair is known, a source of the target's unit). */
 struct PreShape {
   /** \brief (x - center) / size of every point. */
   Points points;

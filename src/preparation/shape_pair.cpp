@@ -78,7 +78,7 @@ shapePair(const PreparedPair& clouds,
           ? ScaleRange{settings.smallest_scale, settings.largest_scale}.clamp(
                 target.size / source.size)
           : known_scale);
-  if (guessed_scale)
+  if (guessed_scale && settings.estimate_scale)
     throwIfUndetermined(source_size, target_size, *guessed_scale);
   if (!settings.estimate_scale)
     source = withSize(source, target.size / known_scale);

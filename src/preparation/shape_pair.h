@@ -10,8 +10,8 @@
 #include "geometry/pose_metric.h"
 #include "geometry/pre_shape.h"
 #include "geometry/scale_range.h"
-#include "preparation/preparation.h"
 #include "preparation/determinacy.h"
+#include "preparation/preparation.h"
 
 #include <memory>
 #include <optional>
@@ -26,7 +26,7 @@ struct Shape {
   /** \brief As it is, clean, no larger than needed, for refinement and judgement. */
   std::shared_ptr<const NearestPoints> all;
   /** \brief What tells whether it determines a pose, in the units of the cloud. */
-  CloudSize size;
+  CloudSize extent;
 };
 
 /** \brief The two clouds in pre-shape space: what poses are searched for, refined and

@@ -6,8 +6,8 @@
 #include <pcl/registration/kss/detail/similarity.h>
 
 #include "geometry/median.h"
-#include "refinement/overlap.h"
 #include "preparation/shape_pair.h"
+#include "refinement/overlap.h"
 
 #include <algorithm>
 
@@ -34,7 +34,7 @@ Alternative
 PoseScorer::scored(const Eigen::Matrix4d& transformation) const
 {
   if (!isSimilarity(transformation) ||
-      !isDetermined(shapes_->source.size, shapes_->target.size,
+      !isDetermined(shapes_->source.extent, shapes_->target.extent,
                     scaleOf(transformation)))
     return {transformation, {}};
   return {transformation, overlapAt(*shapes_->source.all, *shapes_->target.all,

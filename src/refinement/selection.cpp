@@ -112,9 +112,9 @@ Selection::refined(const std::vector<Ranked>& ranked, const SelectionStep& step)
 {
   std::vector<Similarity> poses;
   for (const Ranked& candidate : ranked)
-    // costs of poses that overlap are negative
+    // a cost by overlap is a score with a minus
     if (poses.size() < step.most &&
-        (step.hope == 0.0 || candidate.cost <= step.hope * ranked.front().cost))
+        (!step.hope || candidate.cost <= *step.hope * ranked.front().cost))
       poses.push_back(candidate.pose);
   if (step.turned)
     poses = withTurnedOnes(poses);

@@ -7,8 +7,8 @@
 #include <pcl/registration/kss/result.h>
 
 #include "geometry/similarity.h"
-#include "refinement/selection_steps.h"
 #include "preparation/shape_pair.h"
+#include "refinement/selection_steps.h"
 
 #include <functional>
 #include <vector>

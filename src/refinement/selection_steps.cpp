@@ -36,63 +36,53 @@ nearest(Eigen::Index samples)
 
 } // namespace
 
+// So many poses, points and iterations that no step but the last costs more than the
+// first, of up to 320 minima with few points: 130,000 to 250,000 correspondences.
+
 std::vector<SelectionStep>
 stepsFromAfar(double reach, Eigen::Index samples)
 {
   const double nearer = nearest(samples);
-  return {// few points for all minima; what moves less than a rotation's step is one
-          {all,
-           0.0,
-           false,
-           false,
-           {64, 6, reach, near, false},
-           PoseCost::DISTANCE,
-           0.15,
-           64,
-           0.15},
-          {60,
-           0.0,
-           false,
-           false,
-           {200, 8, near, nearer, false},
-           PoseCost::DISTANCE,
-           std::max(0.1, nearer),
-           200,
-           0.12}};
+  // two poses that end less than half a step of the rotations apart are one
+  SelectionStep first{all, {64, 6, reach, near, false}, PoseCost::DISTANCE, 64, 0.15};
+  // a little more than the reach that refinement ends with
+  first.limit = 0.15;
+  SelectionStep second{
+      60, {200, 8, near, nearer, false}, PoseCost::DISTANCE, 200, 0.12};
+  second.limit = std::max(0.1, nearer);
+  return {first, second};
 }
 
 std::vector<SelectionStep>
 stepsOnSurfaces(double spacing, Eigen::Index samples, bool is_noisy)
 {
+  // from what the steps from afar leave to the spacing, within which one surface covers
+  // another
   const double wide = std::max(nearest(samples), 4.0 * spacing);
-  const Refinement::Effort fine{600, 40, wide, spacing, true};
-  const Eigen::Index overlap = is_noisy ? most_probes : overlap_probes;
-  // the reach falls from a few spacings to one, within which a surface covers another
-  std::vector<SelectionStep> steps{{is_noisy ? 30u : 16u,
-                                    0.0,
-                                    false,
-                                    false,
-                                    {400, 10, wide, 2.0 * spacing, is_noisy},
-                                    PoseCost::OVERLAP,
-                                    0.0,
-                                    overlap,
-                                    same_pose},
-                                   {most_alternatives, hopeless, false, false, fine,
-                                    PoseCost::OVERLAP, 0.0, overlap, same_pose}};
+  const Eigen::Index probes = is_noisy ? most_probes : overlap_probes;
+  const SelectionStep coarse{is_noisy ? 30u : 16u,
+                             {400, 10, wide, 2.0 * spacing, is_noisy},
+                             PoseCost::OVERLAP,
+                             probes,
+                             same_pose};
+  SelectionStep fine{most_alternatives,
+                     {600, 40, wide, spacing, true},
+                     PoseCost::OVERLAP,
+                     probes,
+                     same_pose};
+  fine.hope = hopeless;
   // what averaging leaves has shallow minima beside the right one
+  SelectionStep besides = fine;
+  besides.most = 2;
+  besides.hope.reset();
+  besides.turned = true;
+  // all that there is to decide by
+  SelectionStep last = fine;
+  last.effort = {most_probes, 100, 4.0 * spacing, spacing, true};
+  last.on_clouds = true;
   if (is_noisy)
-    steps.push_back(
-        {2, 0.0, true, false, fine, PoseCost::OVERLAP, 0.0, overlap, same_pose});
-  steps.push_back({most_alternatives,
-                   hopeless,
-                   false,
-                   true,
-                   {most_probes, 100, 4.0 * spacing, spacing, true},
-                   PoseCost::OVERLAP,
-                   0.0,
-                   overlap,
-                   same_pose});
-  return steps;
+    return {coarse, fine, besides, last};
+  return {coarse, fine, last};
 }
 
 } // namespace kss

@@ -1,8 +1,8 @@
 /*
  * SPDX-License-Identifier: BSD-3-Clause
  *
- * The numbers of the choice among minima, each beside its reason. Lengths are in root
- * mean square radii of the target.
+ * The steps of the choice among minima; their numbers, each beside its reason, are in
+ * selection_steps.cpp. Lengths are in root mean square radii of the target.
  */
 
 #pragma once
@@ -10,6 +10,7 @@
 #include "refinement/refinement.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -27,23 +28,25 @@ enum class PoseCost {
 struct SelectionStep {
   /** \brief Poses that are taken to it, the best ones. */
   std::size_t most;
-  /** \brief Of them those whose overlap is at least that share of the best one's. */
-  double hope;
-  /** \brief Whether each pose is tried turned a little about each axis, too. */
-  bool turned;
-  /** \brief Whether probes are taken from all of the clouds, or from the simplified
-   * ones. */
-  bool on_clouds;
   /** \brief How they are refined. */
   Refinement::Effort effort;
   /** \brief What ranks them. */
   PoseCost cost;
-  /** \brief What a distance counts at most in that cost. */
-  double limit;
   /** \brief Points that tell the cost. */
   Eigen::Index cost_probes;
   /** \brief Of poses closer together than this one is kept. */
   double distinct;
+
+  /** \brief What a distance counts at most, where that is the cost. */
+  double limit = 0.0;
+  /** \brief Only poses whose overlap is at least that share of the best are taken;
+   * none: all. The step before has ranked by overlap. */
+  std::optional<double> hope = {};
+  /** \brief Whether each pose is tried turned a little about each axis, too. */
+  bool turned = false;
+  /** \brief Whether probes are taken from all of the clouds, or from the simplified
+   * ones. */
+  bool on_clouds = false;
 };
 
 /** \brief Poses that are listed in the end. */

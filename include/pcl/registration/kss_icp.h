@@ -233,8 +233,9 @@ public:
 
   /** \brief Set where the search runs.
    * \param[in] device "auto" for the first OpenCL device, GPUs first, or the host, with
-   * a warning, where there is none; "host" for no OpenCL; otherwise the OpenCL device
-   * whose name contains \a device, and align() fails where there is none.
+   * a warning, where there is none; "host" for no OpenCL; otherwise all OpenCL devices
+   * of the platform whose name contains \a device, else the device whose name does, and
+   * align() fails where there is none.
    */
   void
   setDevice(const std::string& device)
@@ -467,7 +468,7 @@ private:
    * of the final ICP yet.
    */
   struct Contender {
-    Alternative pose;
+    Alternative alternative;
     std::shared_ptr<Run> run;
   };
 
@@ -513,7 +514,7 @@ private:
    * kept what it made of the clouds, where they ask for the same work.
    */
   kss::Alignment&
-  alignmentStage();
+  alignmentForSettings();
 
   /** \brief Run the final ICP from the guess and the best contenders, until the best
    * has been through it, and put that first.

@@ -168,7 +168,7 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
   far_points_ = {source_points.far, target_points.far};
 
   // simplification, pre-shapes, {C} x {O}, energies, minima, ICP on each
-  kss::Alignment& alignment = alignmentStage();
+  kss::Alignment& alignment = alignmentForSettings();
   std::optional<double> guessed_scale;
   if (guessed)
     guessed_scale = kss::scaleOf(*guessed);
@@ -216,7 +216,7 @@ KSSICP<PointSource, PointTarget, Scalar>::usablePoints(
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 kss::Alignment&
-KSSICP<PointSource, PointTarget, Scalar>::alignmentStage()
+KSSICP<PointSource, PointTarget, Scalar>::alignmentForSettings()
 {
   if (!alignment_ || !kss::sameWork(alignment_->settings(), settings_))
     alignment_ = std::make_unique<kss::Alignment>(settings_);

@@ -22,7 +22,7 @@ KSSICP<PointSource, PointTarget, Scalar>::rank(std::vector<Contender>& contender
 {
   std::stable_sort(contenders.begin(), contenders.end(),
                    [](const Contender& a, const Contender& b) {
-                     return a.pose.overlap.score > b.pose.overlap.score;
+                     return a.alternative.overlap.score > b.alternative.overlap.score;
                    });
 }
 
@@ -36,15 +36,15 @@ KSSICP<PointSource, PointTarget, Scalar>::settle(
 try {
   if (guess) {
     contenders.push_back({scorer.scored(*guess), {}});
-    contenders.back() = finalICP(source, scorer, contenders.back().pose);
+    contenders.back() = finalICP(source, scorer, contenders.back().alternative);
   }
   rank(contenders);
   for (int runs = 0; runs < kss::most_final_icps && !contenders.front().run; ++runs) {
     // where nothing fits, one run is enough to say so
-    if (runs > 0 && kss::confidenceOf(contenders.front().pose.overlap) <
+    if (runs > 0 && kss::confidenceOf(contenders.front().alternative.overlap) <
                         settings_.minimum_confidence)
       break;
-    contenders.front() = finalICP(source, scorer, contenders.front().pose);
+    contenders.front() = finalICP(source, scorer, contenders.front().alternative);
     rank(contenders);
   }
   const auto best =
@@ -115,10 +115,11 @@ void
 KSSICP<PointSource, PointTarget, Scalar>::accept(const Contender& contender,
                                                  const Indices& source_indices)
 {
-  alternatives_.assign(1, contender.pose);
+  alternatives_.assign(1, contender.alternative);
   correspondences_->clear();
   if (!contender.run) {
-    final_transformation_ = contender.pose.transformation.template cast<Scalar>();
+    final_transformation_ =
+        contender.alternative.transformation.template cast<Scalar>();
     return;
   }
   const Run& run = *contender.run;
@@ -146,9 +147,9 @@ KSSICP<PointSource, PointTarget, Scalar>::list(const std::vector<Contender>& con
     if (std::none_of(alternatives_.begin(), alternatives_.end(),
                      [&](const Alternative& listed) {
                        return scorer.areSame(listed.transformation,
-                                             contender.pose.transformation);
+                                             contender.alternative.transformation);
                      }))
-      alternatives_.push_back(contender.pose);
+      alternatives_.push_back(contender.alternative);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>

@@ -16,8 +16,9 @@ namespace kss {
 
 /** \brief Which parts of the object the two clouds show. */
 enum class Mode {
-  AUTOMATIC,      ///< all of the others are tried, and the best pose wins (default)
-  GLOBAL_GLOBAL,  ///< both clouds are complete: (e9) and (e10), centres coincide
+  AUTOMATIC,     ///< any of the others, found in one search; where the scale is unknown
+                 ///< one cloud is expected to be nearly complete (default)
+  GLOBAL_GLOBAL, ///< both clouds are complete: (e9) and (e10), centres coincide
   PARTIAL_GLOBAL, ///< one cloud, either, is a part of the other: (e122) to (e13)
   PARTIAL_PARTIAL ///< both are incomplete and share a part
 };
