@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  *
  * Distances, both ways, between the target and the source placed by each candidate,
- * from all pairs of points: E_d of (e9) and E_cd of (e122). One work-item per candidate, no local memory,
- * no barrier.
+ * from all pairs of points: E_d of (e9) and E_cd of (e122). One work-item per
+ * candidate, no local memory, no barrier.
  *
  * The target lies in tiles of eight points, x, y and z apart, so that a CPU fills its
  * vectors with target points; on a GPU the eight lanes are independent instructions.

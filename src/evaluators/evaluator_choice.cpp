@@ -4,30 +4,14 @@
 
 #include "evaluators/evaluator_choice.h"
 
-#include <pcl/console/print.h>
-
 #include "evaluators/bounds.h"
 #include "evaluators/device_or_host.h"
 #include "evaluators/look_ups.h"
 #include "evaluators/pair_distances.h"
 #include "evaluators/shift_sums.h"
 
-#include <atomic>
-
-#include <unistd.h>
-
 namespace pcl {
 namespace kss {
-
-void
-warnOfHost(const DeviceError& error)
-{
-  static std::atomic<pid_t> warned{0};
-  if (warned.exchange(getpid()) != getpid())
-    PCL_WARN("[pcl::KSSICP] %s The search runs on the host instead, more slowly.\n",
-             error.what());
-}
-
 namespace {
 
 class AnyDistances : public DistanceEvaluator, private DeviceOrHost<DistanceEvaluator> {
