@@ -8,7 +8,7 @@
 
 #include "geometry/similarity.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 
 #include <cmath>
 #include <vector>
@@ -29,27 +29,13 @@ public:
   using Place = Eigen::Matrix<float, 12, 1>;
 
   /** \param[in] cloud what the poses place; centred */
-  explicit PoseMetric(const Points& cloud)
-  {
-    const Eigen::Matrix3f scatter = cloud * cloud.transpose() / cloud.cols();
-    // a little more than nothing, so that the factor of a plane's exists
-    const Eigen::Matrix3f some = 1e-6f * scatter.trace() * Eigen::Matrix3f::Identity();
-    spread_ = (scatter + some).llt().matrixL();
-  }
+  explicit PoseMetric(const Points& cloud);
 
   Place
-  placeOf(const Similarity& pose) const
-  {
-    Eigen::Matrix<float, 3, 4> place = pose.placement();
-    place.leftCols<3>() *= spread_;
-    return Eigen::Map<const Place>(place.data());
-  }
+  placeOf(const Similarity& pose) const;
 
   double
-  distance(const Similarity& a, const Similarity& b) const
-  {
-    return (placeOf(a) - placeOf(b)).norm();
-  }
+  distance(const Similarity& a, const Similarity& b) const;
 
 private:
   Eigen::Matrix3f spread_;

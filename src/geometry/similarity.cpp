@@ -20,6 +20,44 @@ Similarity::of(const Eigen::Matrix4d& matrix)
   return {scale, matrix.topLeftCorner<3, 3>() / scale, matrix.topRightCorner<3, 1>()};
 }
 
+Eigen::Matrix3d
+Similarity::linear() const
+{
+  return scale * rotation;
+}
+
+Similarity
+Similarity::inverse() const
+{
+  return {1.0 / scale, rotation.transpose(),
+          -(rotation.transpose() * translation) / scale};
+}
+
+Placement
+Similarity::placement() const
+{
+  Placement rows;
+  rows << linear().cast<float>(), translation.cast<float>();
+  return rows;
+}
+
+Eigen::Affine3f
+Similarity::affine() const
+{
+  Eigen::Affine3f map;
+  map.linear() = linear().cast<float>();
+  map.translation() = translation.cast<float>();
+  map.makeAffine();
+  return map;
+}
+
+Similarity
+operator*(const Similarity& a, const Similarity& b)
+{
+  return {a.scale * b.scale, a.rotation * b.rotation,
+          a.scale * (a.rotation * b.translation) + a.translation};
+}
+
 Eigen::Matrix4d
 Similarity::matrix() const
 {

@@ -28,18 +28,11 @@ struct Similarity {
 
   /** \brief Scale times rotation. */
   Eigen::Matrix3d
-  linear() const
-  {
-    return scale * rotation;
-  }
+  linear() const;
 
   /** \brief The similarity that takes everything back: T_b_a of T_a_b. */
   Similarity
-  inverse() const
-  {
-    return {1.0 / scale, rotation.transpose(),
-            -(rotation.transpose() * translation) / scale};
-  }
+  inverse() const;
 
   /** \brief The 4x4 matrix. */
   Eigen::Matrix4d
@@ -47,23 +40,11 @@ struct Similarity {
 
   /** \brief Its upper three rows, as evaluators take them. */
   Placement
-  placement() const
-  {
-    Placement rows;
-    rows << linear().cast<float>(), translation.cast<float>();
-    return rows;
-  }
+  placement() const;
 
   /** \brief For single points. */
   Eigen::Affine3f
-  affine() const
-  {
-    Eigen::Affine3f map;
-    map.linear() = linear().cast<float>();
-    map.translation() = translation.cast<float>();
-    map.makeAffine();
-    return map;
-  }
+  affine() const;
 
   /** \brief Whether all of it is numbers that points in single precision follow. */
   bool
@@ -71,12 +52,8 @@ struct Similarity {
 };
 
 /** \brief First \a b, then \a a: T_a_c of T_a_b and T_b_c. */
-inline Similarity
-operator*(const Similarity& a, const Similarity& b)
-{
-  return {a.scale * b.scale, a.rotation * b.rotation,
-          a.scale * (a.rotation * b.translation) + a.translation};
-}
+Similarity
+operator*(const Similarity& a, const Similarity& b);
 
 } // namespace kss
 } // namespace pcl
