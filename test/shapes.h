@@ -209,4 +209,21 @@ diagonalOf(const Points& points)
   return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
+/** \brief Even points of a square, a unit apart. */
+inline Points
+square(int edge)
+{
+  Points points(3, edge * edge);
+  for (int i = 0; i < edge * edge; ++i)
+    points.col(i) = Eigen::Vector3f(i % edge, i / edge, 0.0f);
+  return points;
+}
+
+/** \brief How far a position is from the nearest of some points. */
+inline float
+distanceTo(const Points& points, const Eigen::Vector3f& position)
+{
+  return std::sqrt((points.colwise() - position).colwise().squaredNorm().minCoeff());
+}
+
 } // namespace kss_test

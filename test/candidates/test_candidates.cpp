@@ -277,7 +277,8 @@ TEST(Candidates, HaveThePlacementsOfTheirPoses)
     const auto placements = candidates.placements(range.first, range.second);
     ASSERT_EQ(range.second, placements.size());
     for (std::size_t i = 0; i < placements.size(); ++i)
-      EXPECT_EQ(candidates.pose(range.first + i).placement(), placements[i]);
+      EXPECT_EQ(candidates.pose(range.first + i).matrix().topRows<3>().cast<float>(),
+                placements[i]);
   }
 }
 

@@ -20,22 +20,6 @@ namespace {
 using namespace kss_test;
 using namespace pcl::kss;
 
-/** Even points of a square, a unit apart. */
-Points
-square(int edge)
-{
-  Points points(3, edge * edge);
-  for (int i = 0; i < edge * edge; ++i)
-    points.col(i) = Eigen::Vector3f(i % edge, i / edge, 0.0f);
-  return points;
-}
-
-float
-distanceTo(const Points& points, const Eigen::Vector3f& position)
-{
-  return std::sqrt((points.colwise() - position).colwise().squaredNorm().minCoeff());
-}
-
 TEST(DistanceField, KnowsTheNearestPointOfNearlyEveryCell)
 {
   for (const Points& points :

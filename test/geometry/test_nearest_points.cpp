@@ -19,12 +19,6 @@ namespace {
 using namespace kss_test;
 using namespace pcl::kss;
 
-float
-distanceTo(const Points& points, const Eigen::Vector3f& position)
-{
-  return std::sqrt((points.colwise() - position).colwise().squaredNorm().minCoeff());
-}
-
 /** How the search does at positions so far from points, as a share of the diagonal. */
 struct Misses {
   double share = 0.0, worst_excess = 0.0;

@@ -19,16 +19,6 @@ namespace {
 using namespace kss_test;
 using namespace pcl::kss;
 
-/** Even points of a square, a unit apart. */
-Points
-square(int edge)
-{
-  Points points(3, edge * edge);
-  for (int i = 0; i < edge * edge; ++i)
-    points.col(i) = Eigen::Vector3f(i % edge, i / edge, 0.0f);
-  return points;
-}
-
 TEST(Neighbourhoods, AreTheNearestOthers)
 {
   const Points points = sampled(creature(), 1500, 1);

@@ -72,7 +72,7 @@ TEST(PreShape, KeepsItsDigitsFarFromTheOrigin)
   EXPECT_LT((there.center - far - here.center).norm(), 1e-8);
 }
 
-TEST(PreShape, MapsPosesToTheClouds)
+TEST(PreShape, MapsPosesBothWays)
 {
   const PreShape source = toPreShape(local(sampled(creature(), 500, 6), {1, 2, 3}));
   const PreShape target = toPreShape(
@@ -82,6 +82,10 @@ TEST(PreShape, MapsPosesToTheClouds)
     const Eigen::Matrix4d clouds = (target.T_cloud_shape() * Similarity::of(pose) *
                                     source.T_cloud_shape().inverse())
                                        .matrix();
+    EXPECT_TRUE((target.T_cloud_shape().inverse() * Similarity::of(clouds) *
+                 source.T_cloud_shape())
+                    .matrix()
+                    .isApprox(pose, 1e-12));
     // the definition: a point placed among the clouds, then brought to pre-shape space,
     // is the point brought there and then placed
     const Eigen::Vector3d unit(0.3, -0.2, 0.7);
