@@ -7,7 +7,8 @@ and that OpenCL stays where it is used.
 """
 import pathlib
 import re
-import sys
+
+from report import report
 
 # Each folder, and what its files may include beside their own folder. The headers that
 # are installed, <pcl/registration/kss...>, are open to all.
@@ -109,14 +110,5 @@ def way_to_opencl(file, includes):
     return None
 
 
-def main():
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else
-                        pathlib.Path(__file__).parents[2]).resolve()
-    problems = list(problems_of(root))
-    for problem in problems:
-        print(problem)
-    return 1 if problems else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    report(problems_of)

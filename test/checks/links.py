@@ -5,9 +5,9 @@ project that a text or a comment names, such as src/alignment.cpp or kernels/*.c
 
     test/checks/links.py [FOLDER]      of the project; otherwise the one this file is in
 """
-import pathlib
 import re
-import sys
+
+from report import report
 
 FOLDERS = ["benchmarks", "cmake", "docs", "evaluation", "examples", "include", "kernels",
            "src", "test", "tools"]
@@ -56,24 +56,19 @@ def broken_mentions(root, file):
                 yield mention
 
 
-def main():
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else
-                        pathlib.Path(__file__).parents[2]).resolve()
+def problems_of(root):
     files = [file for file in root.iterdir() if file.is_file()]
     for folder in FOLDERS:
         files += (file for file in (root / folder).rglob("*") if file.is_file())
-    problems = []
     for file in sorted(files):
         name = file.relative_to(root)
         if file.suffix == ".md":
-            problems += (f"{name} links to {link}, which there is not"
-                         for link in broken_links(file))
+            for link in broken_links(file):
+                yield f"{name} links to {link}, which there is not"
         if file.suffix in TEXTS:
-            problems += (f"{name} names {mention}, which there is not"
-                         for mention in broken_mentions(root, file))
-    print("\n".join(problems))
-    return 1 if problems else 0
+            for mention in broken_mentions(root, file):
+                yield f"{name} names {mention}, which there is not"
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    report(problems_of)

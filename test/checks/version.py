@@ -5,9 +5,9 @@ and of the newest section of CHANGELOG.md, and that no code has one of its own.
 
     test/checks/version.py [FOLDER]      of the project; otherwise the one this file is in
 """
-import pathlib
 import re
-import sys
+
+from report import report
 
 CODE = ["benchmarks", "cmake", "evaluation", "examples", "include", "src", "tools"]
 
@@ -36,14 +36,5 @@ def problems_of(root):
                            "CMake's PROJECT_VERSION is the one place for it")
 
 
-def main():
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else
-                        pathlib.Path(__file__).parents[2]).resolve()
-    problems = list(problems_of(root))
-    for problem in problems:
-        print(problem)
-    return 1 if problems else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    report(problems_of)
