@@ -66,8 +66,7 @@ private:
                 const DistanceField& field,
                 float limit)
   {
-    const Eigen::Affine3f place(
-        (Eigen::Matrix4f() << placement, 0.0f, 0.0f, 0.0f, 1.0f).finished());
+    const Eigen::Affine3f place = affineOf(placement);
     float farthest = 0.0f;
     double sum = 0.0;
     for (Eigen::Index i = 0; i < points.cols(); ++i) {

@@ -5,12 +5,23 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace pcl {
 namespace kss {
 
 /** \brief Places the source: the upper three rows of a similarity. */
 using Placement = Eigen::Matrix<float, 3, 4, Eigen::RowMajor>;
+
+/** \brief A placement for single points. */
+inline Eigen::Affine3f
+affineOf(const Placement& placement)
+{
+  Eigen::Affine3f map;
+  map.affine() = placement;
+  map.makeAffine();
+  return map;
+}
 
 /** \brief By how much a placement scales. */
 inline float

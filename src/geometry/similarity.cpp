@@ -44,11 +44,7 @@ Similarity::placement() const
 Eigen::Affine3f
 Similarity::affine() const
 {
-  Eigen::Affine3f map;
-  map.linear() = linear().cast<float>();
-  map.translation() = translation.cast<float>();
-  map.makeAffine();
-  return map;
+  return affineOf(placement());
 }
 
 Similarity

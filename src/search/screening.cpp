@@ -93,7 +93,7 @@ Screening::lowest(const Candidates& candidates, std::size_t many)
   const auto& rotations = candidates.rotations().rotations();
   const auto& places = lattice.places();
   const std::size_t centers = places.size(), scales = candidates.scales().size();
-  const std::size_t block = 16 * lattice.rows().size();
+  const std::size_t block = ShiftLattice::lanes * lattice.rows().size();
   std::vector<std::size_t> found;
   for (std::size_t scale = 0; scale < scales; ++scale) {
     std::vector<Placement> placements;
