@@ -23,6 +23,22 @@ poseOf(const Eigen::Matrix4d& transformation, const ShapePair& shapes)
          Similarity::of(transformation) * shapes.source.simplified.T_cloud_shape();
 }
 
+/** The normals of a shape where it is nearest to positions in its cloud's coordinates. */
+Points
+normalsOf(const Shape& shape, const Eigen::Matrix3Xd& positions)
+{
+  const Similarity T_shape_cloud = shape.simplified.T_cloud_shape().inverse();
+  Points normals(3, positions.cols());
+  for (Eigen::Index i = 0; i < positions.cols(); ++i) {
+    const Eigen::Vector3d placed =
+        T_shape_cloud.linear() * positions.col(i) + T_shape_cloud.translation;
+    float squared_distance;
+    normals.col(i) = shape.surface.normals.col(
+        shape.surface.points->nearest(placed.cast<float>(), squared_distance));
+  }
+  return normals;
+}
+
 } // namespace
 
 PoseScorer::PoseScorer(std::shared_ptr<const ShapePair> shapes)
@@ -54,6 +70,18 @@ PoseScorer::spacingAt(const Eigen::Matrix4d& transformation) const
                       median(shapes_->source.all->spacing()),
                   shapes_->target.simplified.size *
                       median(shapes_->target.all->spacing()));
+}
+
+Points
+PoseScorer::sourceNormals(const Eigen::Matrix3Xd& positions) const
+{
+  return normalsOf(shapes_->source, positions);
+}
+
+Points
+PoseScorer::targetNormals(const Eigen::Matrix3Xd& positions) const
+{
+  return normalsOf(shapes_->target, positions);
 }
 
 } // namespace kss

@@ -9,6 +9,7 @@
 #include <pcl/registration/kss/detail/final_icp.h>
 #include <pcl/registration/kss/detail/naming.h>
 #include <pcl/registration/kss/detail/similarity.h>
+#include <pcl/registration/kss/detail/surface_estimation.h>
 #include <pcl/registration/kss/detail/tracked_correspondences.h>
 #include <pcl/registration/kss_icp.h>
 
@@ -30,6 +31,8 @@ KSSICP<PointSource, PointTarget, Scalar>::KSSICP()
   convergence_criteria_->setFailureAfterMaximumIterations(true);
   correspondence_estimation_.reset(
       new kss::TrackedCorrespondences<PointSource, PointTarget, Scalar>);
+  this->transformation_estimation_.reset(
+      new kss::SurfaceEstimation<PointSource, PointTarget, Scalar>);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>

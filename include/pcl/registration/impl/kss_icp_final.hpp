@@ -10,6 +10,7 @@
 #include <pcl/console/print.h>
 #include <pcl/registration/kss/detail/final_icp.h>
 #include <pcl/registration/kss/detail/similarity.h>
+#include <pcl/registration/kss/detail/surface_estimation.h>
 #include <pcl/registration/kss_icp.h>
 
 #include <algorithm>
@@ -83,6 +84,15 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(
   if (settings_.mode != kss::Mode::GLOBAL_GLOBAL)
     corr_dist_threshold_ =
         std::min(corr_dist_threshold_, kss::final_icp_reach * scorer.spacingAt(pose));
+  auto* const surfaces =
+      dynamic_cast<kss::SurfaceEstimation<PointSource, PointTarget, Scalar>*>(
+          this->transformation_estimation_.get());
+  if (surfaces) {
+    kss::SurfaceStepBounds bounds;
+    bounds.estimate_scale = settings_.estimate_scale;
+    surfaces->finish();
+    surfaces->start(scorer, *source, target_->size(), pose, bounds);
+  }
   PointCloudSource unused;
   bool is_pose = true;
   try {

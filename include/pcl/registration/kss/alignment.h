@@ -41,6 +41,20 @@ public:
   double
   spacingAt(const Eigen::Matrix4d& transformation) const;
 
+  /** \brief Unit normals of the source's surface, of either sign, where it is nearest to
+   * positions.
+   * \param[in] positions in the coordinates of the source
+   */
+  Points
+  sourceNormals(const Eigen::Matrix3Xd& positions) const;
+
+  /** \brief Unit normals of the target's surface, of either sign, where it is nearest to
+   * positions.
+   * \param[in] positions in the coordinates of the target
+   */
+  Points
+  targetNormals(const Eigen::Matrix3Xd& positions) const;
+
 private:
   std::shared_ptr<const ShapePair> shapes_;
 };
