@@ -104,7 +104,8 @@ shapePair(const PreparedPair& clouds,
                  source_size},
                 {target, allOfTarget, surfaceOf(allOfTarget, *clouds.target, target),
                  target_size},
-                PoseMetric(source.points), scalesBetween(source, target, settings),
+                PoseMetric(source.points),
+                scalesBetween(source, target, settings),
                 clouds.is_noisy});
 }
 

@@ -9,12 +9,14 @@
 #include <pcl/registration/kss/alignment.h>
 #include <pcl/registration/kss/detail/cloud_conversion.h>
 #include <pcl/registration/kss/detail/stopping.h>
+#include <pcl/registration/kss/detail/surface_step.h>
 #include <pcl/registration/kss/devices.h>
 #include <pcl/registration/kss/failure.h>
 #include <pcl/registration/kss/result.h>
 #include <pcl/registration/kss/settings.h>
 #include <pcl/registration/kss/stages.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -382,6 +384,46 @@ public:
     return kss::isAmbiguous(alternatives_);
   }
 
+  /** \brief Get the covariance of the result: of its rotation, in radians about the axes
+   * of the target's frame, of the place of the source's centroid, in the unit of the
+   * target, and, where the scale is estimated, of the logarithm of the scale.
+   *
+   * The true pose is x -> c + d + e^s exp([r]) (x' - c), x' being where the result takes
+   * x to, c where it takes the mean of the source's finite (indexed) points to, and
+   * (r, d, s) of zero mean and this covariance. It comes from the distances to tangent
+   * planes and from how much they scatter from patch to patch, which has the noise of
+   * both clouds in it. It is that of the listed pose alone: where isAmbiguous(), others
+   * are as good. Along directions that the surfaces do not determine (see
+   * getUndeterminedDirections()) the clouds' own size is the standard deviation.
+   * \return 6 x 6, or 7 x 7 where the scale is estimated; empty where there is no result
+   * or the transformation estimation is not the default one
+   */
+  Eigen::MatrixXd
+  getCovariance() const
+  {
+    return precision_.covariance.topLeftCorner(precision_.unknowns,
+                                               precision_.unknowns);
+  }
+
+  /** \brief Get the standard deviation of the result's scale; 0 where it is not
+   * estimated.
+   */
+  double
+  getScaleDeviation() const
+  {
+    return getScale() * std::sqrt(precision_.covariance(6, 6));
+  }
+
+  /** \brief Get in how many directions the surfaces leave the pose undetermined, as in
+   * three for a ball that may turn: the result is not moved along them, and none of its
+   * accuracy along them is told.
+   */
+  int
+  getUndeterminedDirections() const
+  {
+    return precision_.undetermined;
+  }
+
   /** \brief Get the distinct poses that competed: the final transformation, then the
    * others by falling score of their overlap.
    */
@@ -460,6 +502,7 @@ private:
     int iterations;
     bool converged;
     Correspondences correspondences;
+    kss::SurfacePrecision precision;
 
     PCL_MAKE_ALIGNED_OPERATOR_NEW
   };
@@ -569,6 +612,8 @@ private:
   kss::StopSignal stop_;
   bool source_is_output_ = false;
   double rounding_error_ = 0.0; ///< of a distance between points
+  Eigen::Vector3d source_centroid_ = Eigen::Vector3d::Zero();
+  kss::SurfacePrecision precision_;
 
   kss::Alternatives alternatives_;
   kss::FarPoints far_points_;

@@ -183,6 +183,7 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
 
   // ICP on the clouds themselves
   stages_.begin("final ICP");
+  source_centroid_ = kss::centroidOf(*input_, source_points.indices);
   const double rounding_error = kss::roundingError(*target_, target_points.indices);
   rounding_error_ = std::sqrt(rounding_error);
   if (auto* criteria =
@@ -249,6 +250,7 @@ KSSICP<PointSource, PointTarget, Scalar>::giveUp(const Matrix4& guess,
   correspondences_->clear();
   alternatives_.clear();
   far_points_ = {};
+  precision_ = {};
   stages_.restart({});
   device_name_.clear();
 }

@@ -114,8 +114,17 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(
   }
   if (!is_pose)
     transformation_ = previous_transformation_ = Matrix4::Identity();
-  Run run{final_transformation_, transformation_, previous_transformation_,
-          nr_iterations_,        converged_,      *correspondences_};
+  Run run{final_transformation_,
+          transformation_,
+          previous_transformation_,
+          nr_iterations_,
+          converged_,
+          *correspondences_,
+          {}};
+  if (is_pose && surfaces)
+    run.precision = surfaces->precision(
+        (final_transformation_.template cast<double>() * source_centroid_.homogeneous())
+            .template head<3>());
 
   // an estimation can be singular, and nearest points lead astray where noise is heavy
   Alternative after = contender;
@@ -136,6 +145,7 @@ KSSICP<PointSource, PointTarget, Scalar>::accept(const Contender& contender,
                                                  const Indices& source_indices)
 {
   alternatives_.assign(1, contender.alternative);
+  precision_ = {};
   correspondences_->clear();
   if (!contender.run) {
     final_transformation_ =
@@ -153,6 +163,7 @@ KSSICP<PointSource, PointTarget, Scalar>::accept(const Contender& contender,
   previous_transformation_ = run.previous_increment;
   nr_iterations_ = run.iterations;
   converged_ = run.converged;
+  precision_ = run.precision;
   *correspondences_ = run.correspondences;
   for (Correspondence& correspondence : *correspondences_)
     correspondence.index_query = source_indices[correspondence.index_query];

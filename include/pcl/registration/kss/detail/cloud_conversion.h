@@ -139,6 +139,20 @@ bulkOf(const PointCloud<PointT>& cloud, const Indices& indices)
   return bulkOf(std::move(some));
 }
 
+/** \brief The mean of some points of a cloud.
+ * \param[in] cloud has finite points at the indices
+ * \param[in] indices at least one
+ */
+template <typename PointT>
+Eigen::Vector3d
+centroidOf(const PointCloud<PointT>& cloud, const Indices& indices)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const index_t i : indices)
+    sum += cloud[i].getVector3fMap().template cast<double>();
+  return sum / static_cast<double>(indices.size());
+}
+
 /** \brief What of a cloud a registration goes by. */
 struct UsablePoints {
   /** \brief The indices of the finite points that its bulk holds. */

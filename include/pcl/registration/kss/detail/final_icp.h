@@ -69,8 +69,7 @@ public:
       this->correspondences_prev_mse_ = std::numeric_limits<double>::max();
     if (Base::hasConverged())
       return true;
-    if (step_ && step_->is_found &&
-        step_->squared_errors_moved < at_rest * at_rest) {
+    if (step_ && step_->is_found && step_->squared_errors_moved < at_rest * at_rest) {
       this->convergence_state_ = Base::CONVERGENCE_CRITERIA_TRANSFORM;
       return true;
     }

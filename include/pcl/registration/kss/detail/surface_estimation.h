@@ -8,6 +8,7 @@
 #include <pcl/registration/kss/detail/surface_step.h>
 #include <pcl/registration/transformation_estimation_svd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -69,6 +70,16 @@ public:
     return last_;
   }
 
+  /** \brief How precise the pose of the last step is.
+   * \param[in] center of the source where it has been placed
+   */
+  SurfacePrecision
+  precision(const Eigen::Vector3d& center) const
+  {
+    return last_.is_found ? surfacePrecision(pairs_, settings_, center)
+                          : SurfacePrecision();
+  }
+
   using Base::estimateRigidTransformation;
 
   void
@@ -84,7 +95,12 @@ public:
         left.smallest_scale /= scale;
         left.largest_scale /= scale;
       }
-      last_ = surfaceStep(pairsOf(source, target, correspondences), left);
+      pairs_ = pairsOf(source, target, correspondences);
+      const double before = last_.squared_errors_moved;
+      last_ = surfaceStep(pairs_, left);
+      if (before > 0.0)
+        settings_.contraction =
+            std::min(0.8, std::sqrt(last_.squared_errors_moved / before));
       if (last_.is_found) {
         transformation = last_.transformation.template cast<Scalar>();
         linear_ = last_.transformation.template topLeftCorner<3, 3>() * linear_;
@@ -92,8 +108,8 @@ public:
       }
     }
     Base::estimateRigidTransformation(source, target, correspondences, transformation);
-    linear_ = transformation.template topLeftCorner<3, 3>().template cast<double>() *
-              linear_;
+    linear_ =
+        transformation.template topLeftCorner<3, 3>().template cast<double>() * linear_;
   }
 
 private:
@@ -148,11 +164,12 @@ private:
   }
 
   const PoseScorer* scorer_ = nullptr;
-  SurfaceStepSettings settings_;
+  mutable SurfaceStepSettings settings_;
   Eigen::Matrix3Xd source_normals_{3, 0};
   mutable Points target_normals_;
   mutable std::vector<bool> is_known_;
   mutable Eigen::Matrix3d linear_;
+  mutable SurfacePairs pairs_;
   mutable SurfaceStep last_;
 };
 

@@ -28,6 +28,9 @@ struct SurfaceStepSettings {
   double rounding_error = 0.0;
   /** \brief How far normals are off, root mean square, in radians. */
   double source_normal_error = 0.0, target_normal_error = 0.0;
+  /** \brief The length of a step as a share of the one before, both in standard errors:
+   * what matching anew takes back of a step. In [0, 1). */
+  double contraction = 0.0;
 };
 
 /** \brief A step of ICP on surfaces, and what it was found from. */
@@ -43,6 +46,18 @@ struct SurfaceStep {
   double squared_errors_moved = 0.0;
 };
 
+/** \brief How precisely matched surfaces determine the pose that they are in. */
+struct SurfacePrecision {
+  /** \brief Rotation (radians about the axes), translation of the center, and, where it
+   * is estimated, the logarithm of the scale: how many of these. */
+  int unknowns = 0;
+  /** \brief Their covariance, in the upper left corner. */
+  Eigen::Matrix<double, 7, 7, Eigen::DontAlign> covariance =
+      Eigen::Matrix<double, 7, 7, Eigen::DontAlign>::Zero();
+  /** \brief The directions of the pose that the surfaces do not determine. */
+  int undetermined = 0;
+};
+
 /** \brief Find the similarity that lays a surface on another one, given points that
  * match about.
  *
@@ -52,6 +67,14 @@ struct SurfaceStep {
  */
 PCL_KSS_ICP_EXPORT SurfaceStep
 surfaceStep(const SurfacePairs& pairs, const SurfaceStepSettings& settings);
+
+/** \brief How precisely matched points determine the pose that the source is in.
+ * \param[in] center of the source, which its translation is that of
+ */
+PCL_KSS_ICP_EXPORT SurfacePrecision
+surfacePrecision(const SurfacePairs& pairs,
+                 const SurfaceStepSettings& settings,
+                 const Eigen::Vector3d& center);
 
 } // namespace kss
 } // namespace pcl
