@@ -45,6 +45,8 @@ prepared(const LocalCloud& cloud, const Settings& settings)
   else
     prepared.surface = {points,
                         neighbourhoodsOf(points, known_neighbours, settings.threads)};
+  prepared.planes = tangentPlanes(prepared.surface.points,
+                                  prepared.surface.neighbourhoods, settings.threads);
   prepared.order = orderOf(prepared.surface.points, settings);
   return prepared;
 }
@@ -57,6 +59,8 @@ averageNoise(PreparedCloud& source, PreparedCloud& target, const Settings& setti
   for (PreparedCloud* cloud : {&source, &target}) {
     cloud->surface.neighbourhoods =
         neighbourhoodsOf(cloud->surface.points, known_neighbours, settings.threads);
+    cloud->planes = tangentPlanes(cloud->surface.points, cloud->surface.neighbourhoods,
+                                  settings.threads);
     cloud->order = orderOf(cloud->surface.points, settings);
   }
 }

@@ -8,6 +8,7 @@
 #include <pcl/registration/kss/settings.h>
 
 #include "geometry/neighbourhoods.h"
+#include "geometry/normals.h"
 #include "preparation/farthest_points.h"
 
 namespace pcl {
@@ -19,6 +20,8 @@ struct PreparedCloud {
   LocalCloud input;
   /** \brief Its points, clean, and no more than refinement and judgement need. */
   Surface surface;
+  /** \brief What the points of the surface lie about. */
+  TangentPlanes planes;
   /** \brief As many of them in farthest order as the simplification may need. */
   FarthestOrder order;
   /** \brief Whether heavy noise has to be averaged away. */

@@ -45,6 +45,19 @@ allOf(const PreparedCloud& cloud, const PreShape& simplified, const Shape* befor
   return std::make_shared<NearestPoints>(surface);
 }
 
+/** The whole cloud in that frame, with its normals. */
+OrientedPoints
+surfaceOf(const std::shared_ptr<const NearestPoints>& all,
+          const PreparedCloud& cloud,
+          const PreShape& simplified)
+{
+  OrientedPoints surface;
+  surface.points = all;
+  surface.normals = cloud.planes.normals;
+  surface.noise = median(cloud.planes.thickness) / static_cast<float>(simplified.size);
+  return surface;
+}
+
 ScaleRange
 scalesBetween(const PreShape& source, const PreShape& target, const Settings& settings)
 {
@@ -86,11 +99,13 @@ shapePair(const PreparedPair& clouds,
       allOf(*clouds.source, source, before ? &before->source : nullptr);
   const auto allOfTarget =
       allOf(*clouds.target, target, before ? &before->target : nullptr);
-  return std::make_shared<ShapePair>(ShapePair{{source, allOfSource, source_size},
-                                               {target, allOfTarget, target_size},
-                                               PoseMetric(source.points),
-                                               scalesBetween(source, target, settings),
-                                               clouds.is_noisy});
+  return std::make_shared<ShapePair>(
+      ShapePair{{source, allOfSource, surfaceOf(allOfSource, *clouds.source, source),
+                 source_size},
+                {target, allOfTarget, surfaceOf(allOfTarget, *clouds.target, target),
+                 target_size},
+                PoseMetric(source.points), scalesBetween(source, target, settings),
+                clouds.is_noisy});
 }
 
 } // namespace kss
