@@ -24,6 +24,21 @@ poseOf(const Eigen::Matrix4d& transformation, const ShapePair& shapes)
          Similarity::of(transformation) * shapes.source.simplified.T_cloud_shape();
 }
 
+/** The normals of a shape nearest to positions in the coordinates of its cloud. */
+Points
+normalsAt(const Shape& shape, const Eigen::Matrix3Xd& positions)
+{
+  const PreShape& frame = shape.simplified;
+  Points normals(3, positions.cols());
+  for (Eigen::Index i = 0; i < positions.cols(); ++i) {
+    float squared;
+    const Eigen::Vector3d place = (positions.col(i) - frame.center) / frame.size;
+    normals.col(i) = shape.surface.normals.col(
+        shape.surface.points->nearest(place.cast<float>(), squared));
+  }
+  return normals;
+}
+
 } // namespace
 
 PoseScorer::PoseScorer(std::shared_ptr<const ShapePair> shapes)
@@ -57,6 +72,30 @@ PoseScorer::spacingAt(const Eigen::Matrix4d& transformation) const
                       median(shapes_->source.all->spacing()),
                   shapes_->target.simplified.size *
                       median(shapes_->target.all->spacing()));
+}
+
+Points
+PoseScorer::sourceNormals(const Eigen::Matrix3Xd& positions) const
+{
+  return normalsAt(shapes_->source, positions);
+}
+
+Points
+PoseScorer::targetNormals(const Eigen::Matrix3Xd& positions) const
+{
+  return normalsAt(shapes_->target, positions);
+}
+
+double
+PoseScorer::sourceNoise() const
+{
+  return shapes_->source.simplified.size * shapes_->source.surface.noise;
+}
+
+double
+PoseScorer::targetNoise() const
+{
+  return shapes_->target.simplified.size * shapes_->target.surface.noise;
 }
 
 } // namespace kss

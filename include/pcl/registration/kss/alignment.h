@@ -41,6 +41,25 @@ public:
   double
   spacingAt(const Eigen::Matrix4d& transformation) const;
 
+  /** \brief The unit normals of the source's surface at the places nearest to some
+   * positions; their signs mean something only where both clouds have sides.
+   * \param[in] positions in the coordinates of the source
+   */
+  Points
+  sourceNormals(const Eigen::Matrix3Xd& positions) const;
+
+  /** \brief The same of the target, in its coordinates. */
+  Points
+  targetNormals(const Eigen::Matrix3Xd& positions) const;
+
+  /** \brief How far the points of the source lie off its surface, in its unit. */
+  double
+  sourceNoise() const;
+
+  /** \brief The same of the target, in its unit. */
+  double
+  targetNoise() const;
+
 private:
   std::shared_ptr<const ShapePair> shapes_;
 };
