@@ -62,7 +62,13 @@ PoseScorer::scored(const Eigen::Matrix4d& transformation) const
 bool
 PoseScorer::areSame(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const
 {
-  return shapes_->metric.distance(poseOf(a, *shapes_), poseOf(b, *shapes_)) < same_pose;
+  return distance(a, b) < same_pose;
+}
+
+double
+PoseScorer::distance(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const
+{
+  return shapes_->metric.distance(poseOf(a, *shapes_), poseOf(b, *shapes_));
 }
 
 double
