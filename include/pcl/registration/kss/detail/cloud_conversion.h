@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 #include <pcl/registration/kss/detail/bulk.h>
 #include <pcl/registration/kss/detail/grid_index.h>
 #include <pcl/registration/kss/detail/points.h>
@@ -175,6 +176,31 @@ usablePoints(const PointCloud<PointT>& cloud, const Indices& indices)
   return usable;
 }
 
+/** \brief The normals of some points, of unit length; zero where they have none.
+ * \return no columns where the points are of a type without, or most of them have none
+ */
+template <typename PointT>
+Points
+normalsOf(const PointCloud<PointT>& cloud, const Indices& indices)
+{
+  if constexpr (traits::has_normal<PointT>::value) {
+    Points normals = Points::Zero(3, indices.size());
+    std::size_t known = 0;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      const Eigen::Vector3d normal =
+          cloud[indices[i]].getNormalVector3fMap().template cast<double>();
+      const double length = normal.norm();
+      if (!std::isfinite(length) || length == 0.0)
+        continue;
+      normals.col(i) = (normal / length).template cast<float>();
+      ++known;
+    }
+    if (2 * known > indices.size())
+      return normals;
+  }
+  return {};
+}
+
 /** \brief The usable points of a cloud, in a frame in their middle. */
 template <typename PointT>
 LocalCloud
@@ -188,6 +214,7 @@ toLocalCloud(const PointCloud<PointT>& cloud, const UsablePoints& usable)
         (cloud[usable.indices[i]].getVector3fMap().template cast<double>() -
          local.origin)
             .template cast<float>();
+  local.normals = normalsOf(cloud, usable.indices);
   return local;
 }
 
