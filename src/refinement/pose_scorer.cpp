@@ -8,6 +8,7 @@
 #include "geometry/median.h"
 #include "preparation/shape_pair.h"
 #include "refinement/overlap.h"
+#include "surfaces/evidence.h"
 
 #include <algorithm>
 
@@ -36,9 +37,11 @@ PoseScorer::scored(const Eigen::Matrix4d& transformation) const
   if (!isSimilarity(transformation) ||
       !isDetermined(shapes_->source.extent, shapes_->target.extent,
                     scaleOf(transformation)))
-    return {transformation, {}};
-  return {transformation, overlapAt(*shapes_->source.all, *shapes_->target.all,
-                                    poseOf(transformation, *shapes_))};
+    return {transformation, {}, {}};
+  const Similarity pose = poseOf(transformation, *shapes_);
+  return {transformation, overlapAt(*shapes_->source.all, *shapes_->target.all, pose),
+          evidenceAt(shapes_->source.surface, shapes_->target.surface, pose,
+                     shapes_->scales.smallest < shapes_->scales.largest)};
 }
 
 bool

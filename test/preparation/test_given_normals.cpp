@@ -88,8 +88,15 @@ TEST_F(GivenNormals, ThatChangeAreSeen)
   EXPECT_EQ(first, prepared());
   cloud_.normals *= -1.0f;
   const auto second = prepared();
-  EXPECT_NE(first, second);
-  EXPECT_EQ(cloud_.normals, second->input.normals);
+  ASSERT_NE(first, second);
+  // and used
+  EXPECT_TRUE(first->has_sides && second->has_sides);
+  EXPECT_EQ(first->planes.normals, -second->planes.normals);
+  EXPECT_GT((first->planes.normals.array() * first->dense.points.array())
+                .colwise()
+                .sum()
+                .minCoeff(),
+            0.3f);
 }
 
 } // namespace

@@ -70,7 +70,7 @@ registerClouds(const Points& source,
   for (const auto& pose : registration.getAlternatives())
     result.poses.push_back(
         {fromLocalFrames(pose.transformation, source_origin, target_origin),
-         pose.overlap});
+         pose.overlap, pose.evidence});
   result.scale = registration.getScale();
   result.confidence = registration.getConfidence();
   result.ambiguous = registration.isAmbiguous();

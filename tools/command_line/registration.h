@@ -21,6 +21,7 @@ namespace tool {
 struct Pose {
   Eigen::Matrix4d transformation;
   pcl::kss::Overlap overlap;
+  pcl::kss::Evidence evidence;
 };
 
 /** \brief What a registration found, in the coordinates of the files. */

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/registration/kss/detail/points.h>
+#include <pcl/registration/kss/evidence.h>
 #include <pcl/registration/kss/export.h>
 #include <pcl/registration/kss/settings.h>
 
@@ -35,6 +36,8 @@ struct Alternative {
   StoredPose transformation;
   /** \brief How much of the clouds lies on each other there. */
   Overlap overlap;
+  /** \brief What the surfaces of the clouds say of it. */
+  Evidence evidence = {};
 };
 
 /** \brief Poses by falling score of their overlap. */
