@@ -183,22 +183,26 @@ template <typename PointT>
 Points
 normalsOf(const PointCloud<PointT>& cloud, const Indices& indices)
 {
+  Points normals;
   if constexpr (traits::has_normal<PointT>::value) {
-    Points normals = Points::Zero(3, indices.size());
-    std::size_t known = 0;
-    for (std::size_t i = 0; i < indices.size(); ++i) {
+    const auto unit = [&cloud](index_t i) -> Eigen::Vector3f {
       const Eigen::Vector3d normal =
-          cloud[indices[i]].getNormalVector3fMap().template cast<double>();
+          cloud[i].getNormalVector3fMap().template cast<double>();
       const double length = normal.norm();
       if (!std::isfinite(length) || length == 0.0)
-        continue;
-      normals.col(i) = (normal / length).template cast<float>();
-      ++known;
+        return Eigen::Vector3f::Zero();
+      return (normal / length).template cast<float>();
+    };
+    const auto known = static_cast<std::size_t>(
+        std::count_if(indices.begin(), indices.end(),
+                      [&unit](index_t i) { return !unit(i).isZero(); }));
+    if (2 * known > indices.size()) {
+      normals.resize(3, indices.size());
+      for (std::size_t i = 0; i < indices.size(); ++i)
+        normals.col(i) = unit(indices[i]);
     }
-    if (2 * known > indices.size())
-      return normals;
   }
-  return {};
+  return normals;
 }
 
 /** \brief The usable points of a cloud, in a frame in their middle. */
