@@ -6,6 +6,7 @@
 
 #include "geometry/take.h"
 #include "preparation/cleaning.h"
+#include "preparation/given_normals.h"
 #include "preparation/simplification.h"
 
 #include <algorithm>
@@ -58,6 +59,7 @@ prepared(const LocalCloud& cloud, const Settings& settings)
                        : surfaceOf(cloud.points, most_dense_points, settings);
   prepared.planes = tangentPlanes(prepared.dense.points, prepared.dense.neighbourhoods,
                                   settings.threads);
+  prepared.has_sides = takeGivenNormals(cloud, prepared.dense, prepared.planes.normals);
   prepared.order = orderOf(prepared.surface.points, settings);
   return prepared;
 }
@@ -73,6 +75,7 @@ averageNoise(PreparedCloud& source, PreparedCloud& target, const Settings& setti
     cloud->dense = cloud->surface;
     cloud->planes = tangentPlanes(cloud->dense.points, cloud->dense.neighbourhoods,
                                   settings.threads);
+    cloud->has_sides = false;
     cloud->order = orderOf(cloud->surface.points, settings);
   }
 }

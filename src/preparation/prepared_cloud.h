@@ -24,6 +24,8 @@ struct PreparedCloud {
    * about: what judges poses. */
   Surface dense;
   TangentPlanes planes; ///< of \ref dense
+  /** \brief Whether the signs of their normals tell which side is outside. */
+  bool has_sides = false;
   /** \brief As many of them in farthest order as the simplification may need. */
   FarthestOrder order;
   /** \brief Whether heavy noise has to be averaged away. */

@@ -66,6 +66,7 @@ shapeOf(const PreShape& simplified,
           ? shape.all
           : place(cloud.dense, before ? before->surface.points : nullptr);
   shape.surface.normals = cloud.planes.normals;
+  shape.surface.has_sides = cloud.has_sides;
   shape.surface.noise =
       median(cloud.planes.thickness) / static_cast<float>(simplified.size);
   return shape;

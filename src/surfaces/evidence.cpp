@@ -116,8 +116,7 @@ supportOf(const OrientedPoints& from,
     near.add(row);
     const Eigen::Vector3f to_normal = to.normals.col(other);
     const float cosine = normal.dot(to_normal);
-    const float agreement =
-        from.has_sides && to.has_sides ? cosine : std::abs(cosine);
+    const float agreement = from.has_sides && to.has_sides ? cosine : std::abs(cosine);
     const float off = std::abs(to_normal.dot(x - to.points->points().col(other)));
     const float deviation = std::max(noise, least_noise * spacing);
     if (agreement < agreeing || off > within_noise * deviation)
@@ -158,8 +157,8 @@ evidenceAt(const OrientedPoints& source,
     const Points& points = cloud.points->points();
     return rootMeanSquareRadius(points, points.rowwise().mean());
   };
-  const float spacing =
-      std::max(scale * median(source.points->spacing()), median(target.points->spacing()));
+  const float spacing = std::max(scale * median(source.points->spacing()),
+                                 median(target.points->spacing()));
   evidence.noise = noise / spacing;
   evidence.reach =
       near_spacings * spacing / std::min(scale * radiusOf(source), radiusOf(target));

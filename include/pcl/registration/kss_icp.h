@@ -584,9 +584,23 @@ private:
 
   /** \brief Decide whether the result has converged, and if not, say why.
    * \param[in] stopped why the work came to no end; empty if it did
+   * \param[in] given_scale the scale of the result where it is not estimated
    */
   void
-  judgeResult(const std::string& stopped);
+  judgeResult(const std::string& stopped, double given_scale);
+
+  /** \brief One sentence on what would fit where nothing does: the mirror image of the
+   * source, or another scale than the one given; empty where neither does, or the work
+   * is stopped.
+   */
+  std::string
+  whatWouldFit(double given_scale);
+
+  /** \brief The scale at which another source fits the target, if it does, by a
+   * registration of its own.
+   */
+  std::optional<double>
+  scaleOfFit(const PointCloudSourceConstPtr& source, const kss::Settings& settings);
 
   /** \brief Say why there is no result, and leave the guess as the transformation. */
   void
@@ -602,6 +616,7 @@ private:
   kss::FarPoints far_points_;
   std::string device_name_;
   kss::Failure failure_;
+  bool explains_misfits_ = true; ///< not where it is itself a part of an explanation
 };
 
 } // namespace pcl

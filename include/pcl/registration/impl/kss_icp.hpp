@@ -192,7 +192,7 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
   accept(contenders.front(), used);
   list(contenders, aligned.scorer);
   stages_.end();
-  judgeResult(stopped);
+  judgeResult(stopped, guessed_scale.value_or(1.0));
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -380,3 +380,4 @@ KSSICP<PointSource, PointTarget, Scalar>::setSettings(const kss::Settings& setti
 } // namespace pcl
 
 #include <pcl/registration/impl/kss_icp_final.hpp>
+#include <pcl/registration/impl/kss_icp_misfit.hpp>

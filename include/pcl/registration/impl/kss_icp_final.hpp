@@ -215,7 +215,8 @@ KSSICP<PointSource, PointTarget, Scalar>::list(const std::vector<Contender>& con
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 void
-KSSICP<PointSource, PointTarget, Scalar>::judgeResult(const std::string& stopped)
+KSSICP<PointSource, PointTarget, Scalar>::judgeResult(const std::string& stopped,
+                                                      double given_scale)
 {
   if (!stopped.empty())
     failure_ = {kss::FailureCause::STOPPED,
@@ -224,10 +225,13 @@ KSSICP<PointSource, PointTarget, Scalar>::judgeResult(const std::string& stopped
     failure_ = {kss::FailureCause::UNSETTLED, "The final ICP still moved after " +
                                                   std::to_string(nr_iterations_) +
                                                   " iterations; allow more of them."};
-  else if (getConfidence() < settings_.minimum_confidence)
-    failure_ = {kss::FailureCause::NO_FIT, kss::misfitAt(getEvidence())};
+  else if (getConfidence() < settings_.minimum_confidence) {
+    const std::string known = explains_misfits_ ? whatWouldFit(given_scale) : "";
+    failure_ = {kss::FailureCause::NO_FIT,
+                known.empty() ? kss::misfitAt(getEvidence()) : known};
+  }
   converged_ = failure_.cause == kss::FailureCause::NONE;
-  if (!converged_)
+  if (!converged_ && explains_misfits_)
     PCL_WARN("[pcl::%s] %s\n", getClassName().c_str(), failure_.reason.c_str());
 }
 
