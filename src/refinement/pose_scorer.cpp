@@ -10,6 +10,7 @@
 #include "refinement/overlap.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl {
 namespace kss {
@@ -37,6 +38,16 @@ normalsOf(const Shape& shape, const Eigen::Matrix3Xd& positions)
         shape.surface.points->nearest(placed.cast<float>(), squared_distance));
   }
   return normals;
+}
+
+/** Of a plane through a dozen points whose noise is known: they lie a spacing off its
+ * axes, root mean square, and it can be off about both. */
+double
+normalErrorOf(const Shape& shape)
+{
+  constexpr double points = 13.0;
+  return shape.surface.noise / median(shape.surface.points->spacing()) *
+         std::sqrt(2.0 / points);
 }
 
 } // namespace
@@ -82,6 +93,18 @@ Points
 PoseScorer::targetNormals(const Eigen::Matrix3Xd& positions) const
 {
   return normalsOf(shapes_->target, positions);
+}
+
+double
+PoseScorer::sourceNormalError() const
+{
+  return normalErrorOf(shapes_->source);
+}
+
+double
+PoseScorer::targetNormalError() const
+{
+  return normalErrorOf(shapes_->target);
 }
 
 } // namespace kss

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <vector>
 
@@ -27,187 +28,245 @@ using Vector7 = Eigen::Matrix<double, 7, 1>;
 using Matrix7 = Eigen::Matrix<double, 7, 7>;
 
 /** The fewest pairs that a step is found from: twice as many as there are unknowns. */
-constexpr Eigen::Index fewest_pairs = 14;
+constexpr double fewest_pairs = 14.0;
 
-/** A median absolute value of Gaussian errors, in standard deviations. */
+/** Pairs longer than so many medians have no counterpart: of random points on a
+ * surface, one in five hundred is as far from the nearest of another such sampling. */
+constexpr double longest_pair = 3.0;
+
+/** Normals that disagree by more than this beside their errors, in radians, are those
+ * of other parts. */
+constexpr double other_part = 0.79;
+
+/** Normal errors that are no worse than what surfaces bend from point to point. */
+constexpr double harmless_normal_error = 0.1;
+
+/** Mean squared sine between matched normals from which on they say nothing: half of
+ * what random ones have. */
+constexpr double random_normals = 1.0 / 3.0;
+
+/** The width of Tukey's biweight at which 95 % of the information of Gaussian errors is
+ * kept, in standard deviations, and the median of such errors' absolute values. */
+constexpr double biweight_width = 4.685;
 constexpr double gaussian_median = 0.6745;
 
+/** Solutions of the equations with weights from the one before, for one step. */
+constexpr int rounds = 2;
+
 double
-quantile(std::vector<double> values, double share)
+medianOf(std::vector<double> values)
 {
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * (values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
-/** The linear equations of the pairs, a row each: rotation, translation, scale. */
-struct Rows {
+/** The pairs that count, as linear equations: a column each, over rotation,
+ * translation and logarithm of the scale, all in the unit of the coordinates. */
+struct Equations {
   Eigen::Matrix<double, 7, Eigen::Dynamic> columns;
   Eigen::VectorXd residuals;
-  Eigen::VectorXd weights;
   Eigen::Vector3d center;
-  double radius;
-  double normal_noise;
+  double radius = 0.0;
+  /** How large an eigenvalue per pair the errors of normals alone account for. */
+  double normal_error = 0.0;
+  bool are_usable = false;
 };
 
-Rows
-rowsOf(const SurfacePairs& pairs, double rounding_error)
+/** How far the normals of a pair disagree: the sine of the angle, and whether they mean
+ * the same part. */
+std::vector<Eigen::Index>
+counterparts(const SurfacePairs& pairs, const SurfaceStepSettings& settings)
 {
   const Eigen::Index size = pairs.source.cols();
-  static const double reach = knob("K_REACH", 3.0), agree = knob("K_AGREE", 0.7);
-  // what has no counterpart is matched with the border of the other surface
-  std::vector<double> distances(size);
+  std::vector<double> lengths(size);
   for (Eigen::Index i = 0; i < size; ++i)
-    distances[i] = (pairs.source.col(i) - pairs.target.col(i)).norm();
+    lengths[i] = (pairs.source.col(i) - pairs.target.col(i)).norm();
   const double longest =
-      std::max(reach * quantile(distances, 0.5), rounding_error);
-
-  Rows rows;
-  rows.columns.resize(7, size);
-  rows.residuals.resize(size);
-  rows.weights.resize(size);
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double count = 0.0;
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const double agreement =
-        std::abs(pairs.source_normals.col(i).dot(pairs.target_normals.col(i)));
-    rows.weights[i] = distances[i] <= longest && agreement >= agree ? 1.0 : 0.0;
-    if (rows.weights[i] > 0.0) {
-      sum += 0.5 * (pairs.source.col(i) + pairs.target.col(i));
-      count += 1.0;
-    }
-  }
-  rows.center = sum / std::max(count, 1.0);
-  double squared = 0.0, disagreement = 0.0;
+      std::max(longest_pair * medianOf(lengths), settings.rounding_error);
+  const double widest = other_part + 3.0 * std::hypot(settings.source_normal_error,
+                                                      settings.target_normal_error);
+  const double least = widest < M_PI_2 ? std::cos(widest) : 0.0;
+  std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < size; ++i)
-    if (rows.weights[i] > 0.0) {
-      const Eigen::Vector3d place =
-          0.5 * (pairs.source.col(i) + pairs.target.col(i)) - rows.center;
-      squared += place.squaredNorm();
-      const double agreement =
-          pairs.source_normals.col(i).dot(pairs.target_normals.col(i));
-      disagreement += 1.0 - agreement * agreement;
-    }
-  rows.radius = std::sqrt(squared / std::max(count, 1.0));
-  rows.normal_noise = disagreement / std::max(count, 1.0);
-  const double unit = rows.radius > 0.0 ? 1.0 / rows.radius : 0.0;
+    if (lengths[i] <= longest &&
+        std::abs(pairs.source_normals.col(i).dot(pairs.target_normals.col(i))) >= least)
+      kept.push_back(i);
+  return kept;
+}
+
+Equations
+equationsOf(const SurfacePairs& pairs, const SurfaceStepSettings& settings)
+{
+  Equations equations;
+  if (pairs.source.cols() < fewest_pairs)
+    return equations;
+  const std::vector<Eigen::Index> kept = counterparts(pairs, settings);
+  if (kept.size() < fewest_pairs)
+    return equations;
+  const auto size = static_cast<Eigen::Index>(kept.size());
+  const Eigen::Matrix3Xd places = 0.5 * (pairs.source(Eigen::all, kept) +
+                                         pairs.target(Eigen::all, kept));
+  equations.center = places.rowwise().mean();
+  equations.radius =
+      std::sqrt((places.colwise() - equations.center).squaredNorm() / size);
+  if (!(equations.radius > 0.0))
+    return equations;
+
+  // halves cancel what the surface bends between the two points; where one of the
+  // normals is noise, the other one counts
+  const auto squared = [](double error) {
+    return error * error + harmless_normal_error * harmless_normal_error;
+  };
+  const double source_error = squared(settings.source_normal_error);
+  const double target_error = squared(settings.target_normal_error);
+  const double share = target_error / (source_error + target_error);
+  double disagreement = 0.0;
+  equations.columns.resize(7, size);
+  equations.residuals.resize(size);
   for (Eigen::Index i = 0; i < size; ++i) {
-    const Eigen::Vector3d target_normal = pairs.target_normals.col(i);
-    Eigen::Vector3d source_normal = pairs.source_normals.col(i);
-    if (source_normal.dot(target_normal) < 0.0)
+    const Eigen::Vector3d target_normal = pairs.target_normals.col(kept[i]);
+    Eigen::Vector3d source_normal = pairs.source_normals.col(kept[i]);
+    const double agreement = source_normal.dot(target_normal);
+    if (agreement < 0.0)
       source_normal = -source_normal;
-    const Eigen::Vector3d normal = 0.5 * (source_normal + target_normal);
-    const Eigen::Vector3d place =
-        unit * (0.5 * (pairs.source.col(i) + pairs.target.col(i)) - rows.center);
-    rows.columns.col(i) << place.cross(normal), normal, place.dot(normal);
-    rows.residuals[i] = normal.dot(pairs.source.col(i) - pairs.target.col(i));
+    disagreement += 1.0 - agreement * agreement;
+    const Eigen::Vector3d normal =
+        share * source_normal + (1.0 - share) * target_normal;
+    const Eigen::Vector3d arm = (places.col(i) - equations.center) / equations.radius;
+    equations.columns.col(i) << arm.cross(normal), normal, arm.dot(normal);
+    equations.residuals[i] =
+        normal.dot(pairs.source.col(kept[i]) - pairs.target.col(kept[i]));
   }
-  return rows;
+  disagreement /= static_cast<double>(size);
+  equations.are_usable = disagreement < random_normals;
+  const double both = share * share * source_error +
+                      (1.0 - share) * (1.0 - share) * target_error;
+  // an error turns the lever of a pair in any of three directions
+  equations.normal_error = disagreement * both / (source_error + target_error) / 3.0;
+  return equations;
+}
+
+/** The weighted normal equations about a solution. */
+struct Normal {
+  Matrix7 matrix = Matrix7::Zero();
+  Vector7 gradient = Vector7::Zero();
+  double weights = 0.0;
+  double variance = 0.0;
+};
+
+Normal
+normalAt(const Equations& equations, const Vector7& unknowns, double rounding_error)
+{
+  const Eigen::VectorXd residuals =
+      equations.residuals + equations.columns.transpose() * unknowns;
+  std::vector<double> absolute(residuals.size());
+  for (Eigen::Index i = 0; i < residuals.size(); ++i)
+    absolute[i] = std::abs(residuals[i]);
+  const double spread = std::max(medianOf(absolute) / gaussian_median, rounding_error);
+  const double width = std::max(biweight_width * spread, 1e-300);
+  Normal normal;
+  double squares = 0.0;
+  for (Eigen::Index i = 0; i < residuals.size(); ++i) {
+    const double ratio = residuals[i] / width;
+    const double root = std::max(0.0, 1.0 - ratio * ratio);
+    const double weight = root * root;
+    const Vector7 column = equations.columns.col(i);
+    normal.matrix.noalias() += weight * column * column.transpose();
+    normal.gradient -= weight * residuals[i] * column;
+    normal.weights += weight;
+    squares += weight * residuals[i] * residuals[i];
+  }
+  normal.variance = std::max(squares / std::max(normal.weights - 7.0, 1.0),
+                             rounding_error * rounding_error);
+  return normal;
+}
+
+/** The change that the equations ask for, in the directions that they determine.
+ * \return how many they do not */
+int
+solve(const Normal& normal, int unknowns, double normal_error, Vector7& change)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      normal.matrix.topLeftCorner(unknowns, unknowns));
+  const double least = std::max(2.0 * normal_error, 1e-6) * normal.weights;
+  int undetermined = 0;
+  change.setZero();
+  for (int i = 0; i < unknowns; ++i) {
+    const double value = solver.eigenvalues()[i];
+    const Eigen::VectorXd direction = solver.eigenvectors().col(i);
+    if (value < least)
+      ++undetermined;
+    else
+      change.head(unknowns) +=
+          direction * (direction.dot(normal.gradient.head(unknowns)) / value);
+  }
+  return undetermined;
+}
+
+/** The similarity of a solution, both halves of it. */
+StoredPose
+similarityOf(const Vector7& unknowns, const Eigen::Vector3d& center, double radius)
+{
+  const Eigen::Vector3d half_turn = unknowns.head<3>() / (2.0 * radius);
+  const double angle = std::atan(half_turn.norm());
+  const Eigen::Matrix3d turn =
+      angle > 0.0 ? Eigen::AngleAxisd(angle, half_turn.normalized()).toRotationMatrix()
+                  : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  const Eigen::Matrix3d half = std::exp(0.5 * unknowns[6] / radius) * turn;
+  const Eigen::Vector3d shift = std::cos(angle) * unknowns.segment<3>(3);
+  // x -> center + half (half (x - center) + shift)
+  StoredPose similarity = StoredPose::Identity();
+  similarity.topLeftCorner<3, 3>() = half * half;
+  similarity.topRightCorner<3, 1>() = center + half * (shift - half * center);
+  return similarity;
 }
 
 } // namespace
 
 SurfaceStep
-surfaceStep(const SurfacePairs& pairs, const SurfaceStepBounds& bounds)
+surfaceStep(const SurfacePairs& pairs, const SurfaceStepSettings& settings)
 {
-  static const double k_width = knob("K_WIDTH", 3.0), k_floor = knob("K_FLOOR", 0.0),
-                      k_quant = knob("K_QUANT", 0.5), k_rounds = knob("K_ROUNDS", 2),
-                      k_trunc = knob("K_TRUNC", 0.5), debug = knob("K_DEBUG", 0);
   SurfaceStep step;
-  if (pairs.source.cols() < fewest_pairs)
+  const Equations equations = equationsOf(pairs, settings);
+  if (!equations.are_usable)
     return step;
-  Rows rows = rowsOf(pairs, bounds.rounding_error);
-  const Eigen::VectorXd gate = rows.weights;
-  const Eigen::Index size = gate.size();
-  if (gate.sum() < fewest_pairs || !(rows.radius > 0.0))
-    return step;
-  std::vector<double> distances;
-  for (Eigen::Index i = 0; i < size; ++i)
-    if (gate[i] > 0.0)
-      distances.push_back((pairs.source.col(i) - pairs.target.col(i)).norm());
-  const double typical = quantile(distances, 0.5);
-
+  const double smallest = equations.radius * std::log(settings.smallest_scale);
+  const double largest = equations.radius * std::log(settings.largest_scale);
+  const bool estimates_scale = smallest < largest;
   Vector7 unknowns = Vector7::Zero();
-  Matrix7 equations;
-  double variance = 0.0;
-  const int n = bounds.estimate_scale ? 7 : 6;
-  for (int round = 0; round < static_cast<int>(k_rounds); ++round) {
-    const Eigen::VectorXd residuals =
-        rows.residuals + rows.columns.transpose() * unknowns;
-    std::vector<double> absolute;
-    for (Eigen::Index i = 0; i < size; ++i)
-      if (gate[i] > 0.0)
-        absolute.push_back(std::abs(residuals[i]));
-    const double spread =
-        std::max({quantile(absolute, k_quant) / gaussian_median, k_floor * typical,
-                  bounds.rounding_error});
-    const double width = std::max(k_width * spread, 1e-300);
-    equations.setZero();
-    Vector7 gradient = Vector7::Zero();
-    double weighted = 0.0, weights = 0.0;
-    for (Eigen::Index i = 0; i < size; ++i) {
-      if (gate[i] <= 0.0)
-        continue;
-      const double ratio = residuals[i] / width;
-      const double root = std::max(0.0, 1.0 - ratio * ratio);
-      const double weight = root * root;
-      const Vector7 column = rows.columns.col(i);
-      equations.noalias() += weight * column * column.transpose();
-      gradient -= weight * residuals[i] * column;
-      weighted += weight * residuals[i] * residuals[i];
-      weights += weight;
+  unknowns[6] = std::min(std::max(0.0, smallest), largest);
+  Normal normal;
+  for (int round = 0; round < rounds; ++round) {
+    normal = normalAt(equations, unknowns, settings.rounding_error);
+    Vector7 change;
+    step.undetermined =
+        solve(normal, estimates_scale ? 7 : 6, equations.normal_error, change);
+    if (estimates_scale && (unknowns[6] + change[6] < smallest ||
+                            unknowns[6] + change[6] > largest)) {
+      // at the bound, and the best that the others can do there
+      const double bound = unknowns[6] + change[6] < smallest ? smallest : largest;
+      const double held = bound - unknowns[6];
+      normal.gradient -= held * normal.matrix.col(6);
+      step.undetermined = solve(normal, 6, equations.normal_error, change);
+      change[6] = held;
     }
-    variance = std::max(weighted / std::max(weights - n, 1.0),
-                        bounds.rounding_error * bounds.rounding_error);
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-        equations.topLeftCorner(n, n));
-    const Eigen::VectorXd values = solver.eigenvalues();
-    step.undetermined = 0;
-    Eigen::VectorXd change = Eigen::VectorXd::Zero(n);
-    const double least = std::max(k_trunc * rows.normal_noise / 4.0, 1e-6) * weights;
-    for (int i = 0; i < n; ++i) {
-      if (values[i] < least) {
-        ++step.undetermined;
-        continue;
-      }
-      const Eigen::VectorXd v = solver.eigenvectors().col(i);
-      change += v * (v.dot(gradient.head(n)) / values[i]);
-    }
-    unknowns.head(n) += change;
-    if (debug > 0)
-      std::fprintf(stderr,
-                   "  pairs %ld of %ld typical %.3g spread %.3g nn %.3g und %d eig0 %.3g "
-                   "%.3g (%.3g)\n",
-                   long(gate.sum()), long(size), typical, spread, rows.normal_noise,
-                   step.undetermined, values[0] / weights, values[1] / weights,
-                   least / weights);
+    unknowns += change;
   }
-  step.squared_errors_moved =
-      unknowns.dot(equations * unknowns) / (n * variance);
-  if (n == 7) {
-    // TODO bounds
-    const double log_scale = unknowns[6] / rows.radius;
-    (void)log_scale;
-  }
-  const Eigen::Vector3d half = unknowns.head<3>() / (2.0 * rows.radius);
-  const double angle = std::atan(half.norm());
-  const Eigen::Matrix3d turn =
-      half.norm() > 0.0
-          ? Eigen::AngleAxisd(angle, half.normalized()).toRotationMatrix()
-          : Eigen::Matrix3d::Identity();
-  const double root_scale = std::exp(0.5 * unknowns[6] / rows.radius);
-  const Eigen::Vector3d shift = unknowns.segment<3>(3) * std::cos(angle);
-  const Eigen::Matrix3d part = root_scale * turn;
-  // x -> c + part (part (x - c) + shift)
-  step.transformation.topLeftCorner<3, 3>() = part * part;
-  step.transformation.topRightCorner<3, 1>() =
-      rows.center + part * shift - part * part * rows.center;
+  step.squared_errors_moved = unknowns.dot(normal.matrix * unknowns) /
+                              ((estimates_scale ? 7.0 : 6.0) * normal.variance);
+  step.transformation = similarityOf(unknowns, equations.center, equations.radius);
   step.is_found = step.transformation.allFinite();
+  static const double debug = knob("K_DEBUG", 0);
   if (debug > 0)
-    std::fprintf(stderr, "step rot %.3g deg, trans %.3g, log scale %.3g, errors %.3g\n",
-                 2 * angle * 57.3, shift.norm(), unknowns[6] / rows.radius,
-                 std::sqrt(step.squared_errors_moved));
+    std::fprintf(stderr,
+                 "step rot %.3g deg, trans %.3g, log scale %.3g, errors %.3g, und %d "
+                 "normal error %.3g pairs %ld sd %.3g\n",
+                 unknowns.head<3>().norm() / equations.radius * 57.3,
+                 unknowns.segment<3>(3).norm(), unknowns[6] / equations.radius,
+                 std::sqrt(step.squared_errors_moved), step.undetermined,
+                 equations.normal_error, long(equations.columns.cols()),
+                 std::sqrt(normal.variance));
   return step;
 }
 

@@ -37,7 +37,7 @@ KSSICP<PointSource, PointTarget, Scalar>::settle(
 try {
   if (guess) {
     contenders.push_back({scorer.scored(*guess), {}});
-    contenders.back() = finalICP(source, scorer, contenders.back().alternative);
+    contenders.back() = finalICP(source, scorer, contenders.back().alternative, false);
   }
   rank(contenders);
   for (int runs = 0; runs < kss::most_final_icps && !contenders.front().run; ++runs) {
@@ -45,7 +45,7 @@ try {
     if (runs > 0 && kss::confidenceOf(contenders.front().alternative.overlap) <
                         settings_.minimum_confidence)
       break;
-    contenders.front() = finalICP(source, scorer, contenders.front().alternative);
+    contenders.front() = finalICP(source, scorer, contenders.front().alternative, true);
     rank(contenders);
   }
   const auto best =
@@ -64,7 +64,8 @@ typename KSSICP<PointSource, PointTarget, Scalar>::Contender
 KSSICP<PointSource, PointTarget, Scalar>::finalICP(
     const PointCloudSourceConstPtr& source,
     const kss::PoseScorer& scorer,
-    const Alternative& contender)
+    const Alternative& contender,
+    bool estimate_scale)
 {
   const Eigen::Matrix4d& pose = contender.transformation;
 
@@ -88,11 +89,20 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(
       dynamic_cast<kss::SurfaceEstimation<PointSource, PointTarget, Scalar>*>(
           this->transformation_estimation_.get());
   if (surfaces) {
-    kss::SurfaceStepBounds bounds;
-    bounds.estimate_scale = settings_.estimate_scale;
-    surfaces->finish();
-    surfaces->start(scorer, *source, target_->size(), pose, bounds);
+    kss::SurfaceStepSettings steps;
+    if (estimate_scale && settings_.estimate_scale) {
+      steps.smallest_scale = settings_.smallest_scale;
+      steps.largest_scale = settings_.largest_scale;
+    }
+    steps.rounding_error = rounding_error_;
+    steps.source_normal_error = scorer.sourceNormalError();
+    steps.target_normal_error = scorer.targetNormalError();
+    surfaces->start(scorer, *source, target_->size(), pose, steps);
   }
+  auto* const criteria =
+      dynamic_cast<kss::FinalICPCriteria<Scalar>*>(convergence_criteria_.get());
+  if (criteria)
+    criteria->follow(surfaces ? &surfaces->last() : nullptr);
   PointCloudSource unused;
   bool is_pose = true;
   try {

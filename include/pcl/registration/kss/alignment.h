@@ -55,6 +55,14 @@ public:
   Points
   targetNormals(const Eigen::Matrix3Xd& positions) const;
 
+  /** \brief How far the normals of the source are off, typically, in radians. */
+  double
+  sourceNormalError() const;
+
+  /** \brief How far the normals of the target are off, typically, in radians. */
+  double
+  targetNormalError() const;
+
 private:
   std::shared_ptr<const ShapePair> shapes_;
 };

@@ -8,7 +8,7 @@
 #include <pcl/registration/kss/detail/surface_step.h>
 #include <pcl/registration/transformation_estimation_svd.h>
 
-#include <memory>
+#include <cmath>
 #include <vector>
 
 namespace pcl {
@@ -34,17 +34,17 @@ public:
    * \param[in] scorer knows the surfaces
    * \param[in] source the points that take part, as they are
    * \param[in] pose where the run starts
-   * \param[in] bounds what it may change
+   * \param[in] settings of the steps; the scale's bounds are those of the whole run
    */
   void
   start(const PoseScorer& scorer,
         const PointCloud<PointSource>& source,
         std::size_t target_size,
         const Eigen::Matrix4d& pose,
-        const SurfaceStepBounds& bounds)
+        const SurfaceStepSettings& settings)
   {
     scorer_ = &scorer;
-    bounds_ = bounds;
+    settings_ = settings;
     if (source_normals_.cols() == 0)
       source_normals_ = scorer.sourceNormals(placesOf(source)).template cast<double>();
     target_normals_.resize(3, target_size);
@@ -78,7 +78,13 @@ public:
                               Matrix4& transformation) const override
   {
     if (scorer_) {
-      last_ = surfaceStep(pairsOf(source, target, correspondences), bounds_);
+      SurfaceStepSettings left = settings_;
+      if (left.smallest_scale < left.largest_scale) {
+        const double scale = std::cbrt(linear_.determinant());
+        left.smallest_scale /= scale;
+        left.largest_scale /= scale;
+      }
+      last_ = surfaceStep(pairsOf(source, target, correspondences), left);
       if (last_.is_found) {
         transformation = last_.transformation.template cast<Scalar>();
         linear_ = last_.transformation.template topLeftCorner<3, 3>() * linear_;
@@ -142,7 +148,7 @@ private:
   }
 
   const PoseScorer* scorer_ = nullptr;
-  SurfaceStepBounds bounds_;
+  SurfaceStepSettings settings_;
   Eigen::Matrix3Xd source_normals_{3, 0};
   mutable Points target_normals_;
   mutable std::vector<bool> is_known_;

@@ -9,8 +9,6 @@
 
 #include <Eigen/Core>
 
-#include <limits>
-
 namespace pcl {
 namespace kss {
 
@@ -22,23 +20,18 @@ struct SurfacePairs {
   Eigen::Matrix3Xd target_normals; ///< of unit length and either sign
 };
 
-/** \brief What a step may change, and what it takes for exact. */
-struct SurfaceStepBounds {
-  /** \brief Whether the scale is estimated. */
-  bool estimate_scale = false;
-  /** \brief The bounds of the scale of the step. */
-  double smallest_scale = 0.0;
-  double largest_scale = std::numeric_limits<double>::infinity();
+/** \brief What a step may change, and how precise the pairs are. */
+struct SurfaceStepSettings {
+  /** \brief The bounds of the scale of the step; equal ones: it is not estimated. */
+  double smallest_scale = 1.0, largest_scale = 1.0;
   /** \brief The distance of two points that rounding alone accounts for. */
   double rounding_error = 0.0;
+  /** \brief How far normals are off, root mean square, in radians. */
+  double source_normal_error = 0.0, target_normal_error = 0.0;
 };
 
 /** \brief A step of ICP on surfaces, and what it was found from. */
 struct SurfaceStep {
-  /** \brief A matrix over the unknowns: rotation, translation, logarithm of the scale.
-   */
-  using Matrix = Eigen::Matrix<double, 7, 7, Eigen::DontAlign>;
-
   /** \brief The similarity that moves the source. */
   StoredPose transformation = StoredPose::Identity();
   /** \brief Whether there were pairs enough for one. */
@@ -58,7 +51,7 @@ struct SurfaceStep {
  * included; pairs far off the others have no say.
  */
 PCL_KSS_ICP_EXPORT SurfaceStep
-surfaceStep(const SurfacePairs& pairs, const SurfaceStepBounds& bounds);
+surfaceStep(const SurfacePairs& pairs, const SurfaceStepSettings& settings);
 
 } // namespace kss
 } // namespace pcl
