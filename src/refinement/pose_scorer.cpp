@@ -11,6 +11,7 @@
 #include "surfaces/evidence.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl {
 namespace kss {
@@ -24,19 +25,30 @@ poseOf(const Eigen::Matrix4d& transformation, const ShapePair& shapes)
          Similarity::of(transformation) * shapes.source.simplified.T_cloud_shape();
 }
 
-/** The normals of a shape nearest to positions in the coordinates of its cloud. */
+/** The normals of a shape where it is nearest to positions in its cloud's coordinates. */
 Points
-normalsAt(const Shape& shape, const Eigen::Matrix3Xd& positions)
+normalsOf(const Shape& shape, const Eigen::Matrix3Xd& positions)
 {
-  const PreShape& frame = shape.simplified;
+  const Similarity T_shape_cloud = shape.simplified.T_cloud_shape().inverse();
   Points normals(3, positions.cols());
   for (Eigen::Index i = 0; i < positions.cols(); ++i) {
-    float squared;
-    const Eigen::Vector3d place = (positions.col(i) - frame.center) / frame.size;
+    const Eigen::Vector3d placed =
+        T_shape_cloud.linear() * positions.col(i) + T_shape_cloud.translation;
+    float squared_distance;
     normals.col(i) = shape.surface.normals.col(
-        shape.surface.points->nearest(place.cast<float>(), squared));
+        shape.surface.points->nearest(placed.cast<float>(), squared_distance));
   }
   return normals;
+}
+
+/** Of a plane through a dozen points whose noise is known: they lie a spacing off its
+ * axes, root mean square, and it can be off about both. */
+double
+normalErrorOf(const Shape& shape)
+{
+  constexpr double points = 13.0;
+  return shape.surface.noise / median(shape.surface.points->spacing()) *
+         std::sqrt(2.0 / points);
 }
 
 } // namespace
@@ -83,25 +95,25 @@ PoseScorer::spacingAt(const Eigen::Matrix4d& transformation) const
 Points
 PoseScorer::sourceNormals(const Eigen::Matrix3Xd& positions) const
 {
-  return normalsAt(shapes_->source, positions);
+  return normalsOf(shapes_->source, positions);
 }
 
 Points
 PoseScorer::targetNormals(const Eigen::Matrix3Xd& positions) const
 {
-  return normalsAt(shapes_->target, positions);
+  return normalsOf(shapes_->target, positions);
 }
 
 double
-PoseScorer::sourceNoise() const
+PoseScorer::sourceNormalError() const
 {
-  return shapes_->source.simplified.size * shapes_->source.surface.noise;
+  return normalErrorOf(shapes_->source);
 }
 
 double
-PoseScorer::targetNoise() const
+PoseScorer::targetNormalError() const
 {
-  return shapes_->target.simplified.size * shapes_->target.surface.noise;
+  return normalErrorOf(shapes_->target);
 }
 
 } // namespace kss

@@ -542,7 +542,7 @@ private:
    * borrows the members of the base class.
    * \param[in] source the points that take part
    * \param[in] contender where to start
-   * \param[in] estimate_scale whether the scale may change
+   * \param[in] estimate_scale whether the scale may change where it is estimated
    */
   Contender
   finalICP(const PointCloudSourceConstPtr& source,
@@ -611,6 +611,7 @@ private:
   kss::Stages stages_;
   kss::StopSignal stop_;
   bool source_is_output_ = false;
+  double rounding_error_ = 0.0; ///< of a distance between points
 
   kss::Alternatives alternatives_;
   kss::FarPoints far_points_;

@@ -11,6 +11,7 @@
 #include <pcl/console/print.h>
 #include <pcl/registration/kss/detail/final_icp.h>
 #include <pcl/registration/kss/detail/similarity.h>
+#include <pcl/registration/kss/detail/surface_estimation.h>
 #include <pcl/registration/kss_icp.h>
 
 #include <algorithm>
@@ -37,8 +38,8 @@ try {
     const bool is_doubtful = best < kss::doubtless && runs < kss::most_final_icps;
     if (runs > 0 && !may_be_right && !is_doubtful)
       break;
-    contender =
-        finalICP(source, scorer, contender.alternative, settings_.estimate_scale);
+    const bool is_guess = guess && runs == 0; // which keeps its scale
+    contender = finalICP(source, scorer, contender.alternative, !is_guess);
     ++runs;
     best = std::max(best, kss::confidenceOf(contender.alternative.evidence));
     closest = std::max(closest, contender.alternative.overlap.score);
@@ -124,7 +125,7 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(
     const PointCloudSourceConstPtr& source,
     const kss::PoseScorer& scorer,
     const Alternative& contender,
-    [[maybe_unused]] bool estimate_scale)
+    bool estimate_scale)
 {
   const Eigen::Matrix4d& pose = contender.transformation;
 
@@ -144,6 +145,24 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(
   if (settings_.mode != kss::Mode::GLOBAL_GLOBAL)
     corr_dist_threshold_ =
         std::min(corr_dist_threshold_, kss::final_icp_reach * scorer.spacingAt(pose));
+  auto* const surfaces =
+      dynamic_cast<kss::SurfaceEstimation<PointSource, PointTarget, Scalar>*>(
+          this->transformation_estimation_.get());
+  if (surfaces) {
+    kss::SurfaceStepSettings steps;
+    if (estimate_scale && settings_.estimate_scale) {
+      steps.smallest_scale = settings_.smallest_scale;
+      steps.largest_scale = settings_.largest_scale;
+    }
+    steps.rounding_error = rounding_error_;
+    steps.source_normal_error = scorer.sourceNormalError();
+    steps.target_normal_error = scorer.targetNormalError();
+    surfaces->start(scorer, *source, target_->size(), pose, steps);
+  }
+  auto* const criteria =
+      dynamic_cast<kss::FinalICPCriteria<Scalar>*>(convergence_criteria_.get());
+  if (criteria)
+    criteria->follow(surfaces ? &surfaces->last() : nullptr);
   PointCloudSource unused;
   bool is_pose = true;
   try {

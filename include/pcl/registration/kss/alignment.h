@@ -46,24 +46,27 @@ public:
   double
   spacingAt(const Eigen::Matrix4d& transformation) const;
 
-  /** \brief The unit normals of the source's surface at the places nearest to some
-   * positions; their signs mean something only where both clouds have sides.
+  /** \brief Unit normals of the source's surface, of either sign, where it is nearest to
+   * positions.
    * \param[in] positions in the coordinates of the source
    */
   Points
   sourceNormals(const Eigen::Matrix3Xd& positions) const;
 
-  /** \brief The same of the target, in its coordinates. */
+  /** \brief Unit normals of the target's surface, of either sign, where it is nearest to
+   * positions.
+   * \param[in] positions in the coordinates of the target
+   */
   Points
   targetNormals(const Eigen::Matrix3Xd& positions) const;
 
-  /** \brief How far the points of the source lie off its surface, in its unit. */
+  /** \brief How far the normals of the source are off, typically, in radians. */
   double
-  sourceNoise() const;
+  sourceNormalError() const;
 
-  /** \brief The same of the target, in its unit. */
+  /** \brief How far the normals of the target are off, typically, in radians. */
   double
-  targetNoise() const;
+  targetNormalError() const;
 
 private:
   std::shared_ptr<const ShapePair> shapes_;
