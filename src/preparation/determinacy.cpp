@@ -8,6 +8,7 @@
 
 #include "geometry/neighbourhoods.h"
 #include "support/short_text.h"
+#include "support/units.h"
 
 #include <utility>
 
@@ -50,8 +51,9 @@ throwIfUndetermined(const CloudSize& source, const CloudSize& target, double sca
       (scale == 1.0 ? "The " : "At the scale " + shortText(scale) + ", the ") + large +
       " is " + shortText(larger / smaller) + " times as large as the " + small + " (" +
       shortText(larger) + " against " + shortText(smaller) +
-      "), too large for a pose to be told: is one of them in another unit, such as "
-      "millimetres, or the scale to be estimated?");
+      "), too large for a pose to be told: " +
+      questionOfUnits(large, small, larger / smaller) +
+      ", or is the scale to be estimated?");
 }
 
 } // namespace kss

@@ -20,8 +20,12 @@ struct PreparedCloud {
   LocalCloud input;
   /** \brief Its points, clean, and no more than refinement and judgement need. */
   Surface surface;
-  /** \brief What the points of the surface lie about. */
-  TangentPlanes planes;
+  /** \brief The same, as dense as the cloud is, with the planes that its points lie
+   * about: what judges poses. */
+  Surface dense;
+  TangentPlanes planes; ///< of \ref dense
+  /** \brief Whether the signs of their normals tell which side is outside. */
+  bool has_sides = false;
   /** \brief As many of them in farthest order as the simplification may need. */
   FarthestOrder order;
   /** \brief Whether heavy noise has to be averaged away. */

@@ -8,6 +8,7 @@
 #include "geometry/median.h"
 #include "preparation/shape_pair.h"
 #include "refinement/overlap.h"
+#include "surfaces/evidence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,15 +64,23 @@ PoseScorer::scored(const Eigen::Matrix4d& transformation) const
   if (!isSimilarity(transformation) ||
       !isDetermined(shapes_->source.extent, shapes_->target.extent,
                     scaleOf(transformation)))
-    return {transformation, {}};
-  return {transformation, overlapAt(*shapes_->source.all, *shapes_->target.all,
-                                    poseOf(transformation, *shapes_))};
+    return {transformation, {}, {}};
+  const Similarity pose = poseOf(transformation, *shapes_);
+  return {transformation, overlapAt(*shapes_->source.all, *shapes_->target.all, pose),
+          evidenceAt(shapes_->source.surface, shapes_->target.surface, pose,
+                     shapes_->scales.smallest < shapes_->scales.largest)};
 }
 
 bool
 PoseScorer::areSame(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const
 {
-  return shapes_->metric.distance(poseOf(a, *shapes_), poseOf(b, *shapes_)) < same_pose;
+  return distance(a, b) < same_pose;
+}
+
+double
+PoseScorer::distance(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const
+{
+  return shapes_->metric.distance(poseOf(a, *shapes_), poseOf(b, *shapes_));
 }
 
 double

@@ -79,6 +79,26 @@ toJSON(const pcl::kss::Overlap& overlap)
   return {overlap.source, overlap.target};
 }
 
+nlohmann::ordered_json
+toJSON(const pcl::kss::Support& support)
+{
+  return {{"near", support.near},
+          {"explained", support.explained},
+          {"worst", support.worst},
+          {"consistent", support.consistent},
+          {"points", support.points}};
+}
+
+nlohmann::ordered_json
+toJSON(const pcl::kss::Evidence& evidence)
+{
+  return {{"source", toJSON(evidence.source)},
+          {"target", toJSON(evidence.target)},
+          {"residual", evidence.residual},
+          {"noise", evidence.noise},
+          {"reach", evidence.reach}};
+}
+
 } // namespace
 
 std::string
@@ -120,7 +140,8 @@ reportText(const Result& result)
   for (const auto& pose : result.poses)
     report["alternatives"].push_back({{"transformation", toJSON(pose.transformation)},
                                       {"overlap", toJSON(pose.overlap)},
-                                      {"score", pose.overlap.score}});
+                                      {"score", pose.overlap.score},
+                                      {"evidence", toJSON(pose.evidence)}});
   report["far_points"] = {result.far_points.source, result.far_points.target};
   report["search"] = wordOf<&pcl::kss::Settings::search>(result.search);
   report["device"] = result.device;

@@ -203,7 +203,7 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
   accept(contenders.front(), used);
   list(contenders, aligned.scorer);
   stages_.end();
-  judgeResult(stopped);
+  judgeResult(stopped, guessed_scale.value_or(1.0));
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -392,3 +392,4 @@ KSSICP<PointSource, PointTarget, Scalar>::setSettings(const kss::Settings& setti
 } // namespace pcl
 
 #include <pcl/registration/impl/kss_icp_final.hpp>
+#include <pcl/registration/impl/kss_icp_misfit.hpp>

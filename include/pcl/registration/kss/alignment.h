@@ -36,6 +36,11 @@ public:
   bool
   areSame(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const;
 
+  /** \brief How far apart two transformations place the source, root mean square, in
+   * root mean square radii of the target. */
+  double
+  distance(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const;
+
   /** \brief The spacing of the points of both clouds where a transformation has placed
    * the source: the wider one, median, in units of the target. */
   double

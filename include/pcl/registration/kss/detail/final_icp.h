@@ -11,9 +11,17 @@
 namespace pcl {
 namespace kss {
 
-/** \brief The final ICP can cost a pose the lead that it had among the simplified
- * clouds: then the next one gets its chance, so often at most. */
+/** \brief Poses that may be right go through the final ICP, before which the surfaces
+ * cannot tell: those whose overlap's score is at least this share of the best one. */
+constexpr double hope = 0.75;
+
+/** \brief And, unless one of them is as sure as this, so many of the others. */
+constexpr double doubtless = 0.9;
 constexpr int most_final_icps = 3;
+
+/** \brief How far the logarithm of the scale may be from that of scale 1 for both to
+ * explain the clouds: parts of known size come out up to a tenth off. */
+constexpr double nearly_scale_one = 0.12;
 
 /** \brief Correspondences of the final ICP are no longer than so many spacings. */
 constexpr double final_icp_reach = 4.0;

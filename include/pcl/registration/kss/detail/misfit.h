@@ -1,0 +1,26 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include <pcl/registration/kss/export.h>
+
+#include <string>
+
+namespace pcl {
+namespace kss {
+
+/** \brief One sentence on a source that fits only as its mirror image. */
+PCL_KSS_ICP_EXPORT std::string
+misfitButMirrored();
+
+/** \brief One sentence on clouds that fit, but not at the scale that was given.
+ * \param[in] fitting the scale at which they do
+ * \param[in] given the scale that they were said to have
+ */
+PCL_KSS_ICP_EXPORT std::string
+misfitButScaled(double fitting, double given);
+
+} // namespace kss
+} // namespace pcl
