@@ -35,7 +35,8 @@ ellipsoidPairs(const Eigen::Vector3d& radii,
   SurfacePairs pairs{Eigen::Matrix3Xd(3, size), Eigen::Matrix3Xd(3, size),
                      Eigen::Matrix3Xd(3, size), Eigen::Matrix3Xd(3, size)};
   for (Eigen::Index i = 0; i < size; ++i) {
-    const Eigen::Vector3d unit = kss_test::randomRotation(random).toRotationMatrix().col(0);
+    const Eigen::Vector3d unit =
+        kss_test::randomRotation(random).toRotationMatrix().col(0);
     const Eigen::Vector3d place = radii.cwiseProduct(unit);
     const Eigen::Vector3d normal = unit.cwiseQuotient(radii).normalized();
     pairs.target.col(i) = place;
@@ -72,8 +73,8 @@ settled(SurfacePairs& pairs, const SurfaceStepSettings& settings)
   return pose;
 }
 
-const Eigen::Quaterniond small_turn(
-    Eigen::AngleAxisd(0.05, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()));
+const Eigen::Quaterniond
+    small_turn(Eigen::AngleAxisd(0.05, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()));
 const Eigen::Vector3d uneven(1.0, 0.7, 0.4);
 
 TEST(SurfaceStep, RecoversARigidMotion)
@@ -127,7 +128,7 @@ TEST(SurfaceStep, DoesNotMoveAlongWhatIsNotDetermined)
   ASSERT_TRUE(step.is_found);
   EXPECT_EQ(step.undetermined, 3);
   const Eigen::Affine3d moved(step.transformation);
-  EXPECT_LT(Eigen::AngleAxisd(moved.rotation()).angle(), 1e-3);
+  EXPECT_LT(Eigen::AngleAxisd(moved.rotation()).angle(), 0.1 * 0.05);
   EXPECT_EQ(surfaceStep(ellipsoidPairs(uneven, pose, 500), {}).undetermined, 0);
   EXPECT_EQ(surfacePrecision(ellipsoidPairs(ball, pose, 500), {}, shift).undetermined,
             3);

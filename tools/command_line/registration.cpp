@@ -76,6 +76,9 @@ registerAs(const SurfacePoints& source,
         {fromLocalFrames(pose.transformation, source_origin, target_origin),
          pose.overlap, pose.evidence});
   result.scale = registration.getScale();
+  result.covariance = registration.getCovariance();
+  result.scale_deviation = registration.getScaleDeviation();
+  result.undetermined = registration.getUndeterminedDirections();
   result.confidence = registration.getConfidence();
   result.ambiguous = registration.isAmbiguous();
   result.mode = registration.getFoundMode();

@@ -34,6 +34,12 @@ struct Result {
    * there is none. */
   std::vector<Pose> poses;
   double scale;
+  /** \brief Of the first pose, see KSSICP::getCovariance(); empty where it is not known.
+   */
+  Eigen::MatrixXd covariance;
+  double scale_deviation;
+  /** \brief In how many directions the surfaces leave the first pose undetermined. */
+  int undetermined;
   /** \brief How sure it is that the pose is right, in [0, 1]. */
   double confidence;
   /** \brief Whether the second pose is about as good as the first. */

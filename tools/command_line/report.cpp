@@ -26,11 +26,15 @@ percent(double share)
 
 /** A matrix as its rows. */
 nlohmann::json
-toJSON(const Eigen::Matrix4d& matrix)
+toJSON(const Eigen::MatrixXd& matrix)
 {
   auto rows = nlohmann::json::array();
-  for (int i = 0; i < 4; ++i)
-    rows.push_back({matrix(i, 0), matrix(i, 1), matrix(i, 2), matrix(i, 3)});
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    auto row = nlohmann::json::array();
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+      row.push_back(matrix(i, j));
+    rows.push_back(row);
+  }
   return rows;
 }
 
@@ -122,6 +126,9 @@ reportText(const Result& result)
     report["reason"] = result.reason;
   report["transformation"] = nullptr;
   report["scale"] = nullptr;
+  report["scale_deviation"] = nullptr;
+  report["covariance"] = nullptr;
+  report["undetermined"] = nullptr;
   report["mode"] = nullptr;
   report["overlap"] = nullptr;
   report["score"] = nullptr;
@@ -132,6 +139,11 @@ reportText(const Result& result)
   if (!result.poses.empty()) {
     report["transformation"] = toJSON(result.poses.front().transformation);
     report["scale"] = result.scale;
+    if (result.covariance.size() > 0) {
+      report["scale_deviation"] = result.scale_deviation;
+      report["covariance"] = toJSON(result.covariance);
+      report["undetermined"] = result.undetermined;
+    }
     report["mode"] = wordOf<&pcl::kss::Settings::mode>(result.mode);
     report["overlap"] = toJSON(result.poses.front().overlap);
     report["score"] = result.poses.front().overlap.score;

@@ -382,9 +382,8 @@ public:
   double
   getConfidence() const
   {
-    return alternatives_.empty()
-               ? 0.0
-               : kss::confidenceOf(alternatives_.front().evidence);
+    return alternatives_.empty() ? 0.0
+                                 : kss::confidenceOf(alternatives_.front().evidence);
   }
 
   /** \brief Get whether another pose is about as good as the result, as for a symmetric
