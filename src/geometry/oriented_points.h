@@ -21,8 +21,8 @@ struct OrientedPoints {
   Points normals;
   /** \brief Whether their signs say which side is outside. */
   bool has_sides = false;
-  /** \brief How far the points lie off their planes, in the unit of the points: the
-   * median over the cloud. */
+  /** \brief How far the points lie off their planes, standard deviation, in the unit of
+   * the points; see noiseAbout(). */
   float noise = 0.0f;
 };
 

@@ -57,9 +57,11 @@ prepared(const LocalCloud& cloud, const Settings& settings)
   prepared.dense = static_cast<std::size_t>(cloud.points.cols()) <= most_points
                        ? prepared.surface
                        : surfaceOf(cloud.points, most_dense_points, settings);
-  prepared.planes = tangentPlanes(prepared.dense.points, prepared.dense.neighbourhoods,
-                                  settings.threads);
-  prepared.has_sides = takeGivenNormals(cloud, prepared.dense, prepared.planes.normals);
+  prepared.normals = normalsOf(prepared.dense.points, prepared.dense.neighbourhoods,
+                               settings.threads);
+  prepared.has_sides = takeGivenNormals(cloud, prepared.dense, prepared.normals);
+  prepared.noise = noiseAbout(prepared.dense.points, prepared.dense.neighbourhoods,
+                              prepared.normals, settings.threads);
   prepared.order = orderOf(prepared.surface.points, settings);
   return prepared;
 }
@@ -73,8 +75,10 @@ averageNoise(PreparedCloud& source, PreparedCloud& target, const Settings& setti
     cloud->surface.neighbourhoods =
         neighbourhoodsOf(cloud->surface.points, known_neighbours, settings.threads);
     cloud->dense = cloud->surface;
-    cloud->planes = tangentPlanes(cloud->dense.points, cloud->dense.neighbourhoods,
-                                  settings.threads);
+    cloud->normals =
+        normalsOf(cloud->dense.points, cloud->dense.neighbourhoods, settings.threads);
+    cloud->noise = noiseAbout(cloud->dense.points, cloud->dense.neighbourhoods,
+                              cloud->normals, settings.threads);
     cloud->has_sides = false;
     cloud->order = orderOf(cloud->surface.points, settings);
   }

@@ -21,23 +21,26 @@ constexpr double complete = 0.9;
 } // namespace
 
 double
-logOddsOf(const Evidence& evidence)
+logOddsOf(const Alternative& alternative)
 {
+  const Evidence& evidence = alternative.evidence;
   const auto [worst, best] = std::minmax(evidence.source.worst, evidence.target.worst);
   const double consistent =
       std::min(evidence.source.consistent, evidence.target.consistent);
-  return 2.0 * std::log((best + 0.005) / 0.08) + 0.5 * std::log((worst + 0.01) / 0.03) +
-         1.0 * std::log((consistent + 0.02) / 0.1) - 3.0 * (evidence.residual - 1.3);
+  return 4.535 + 1.376 * std::log(best + 0.005) + 0.331 * std::log(worst + 0.01) +
+         0.678 * std::log(consistent + 0.02) - 2.705 * std::min(evidence.residual, 3.0) -
+         0.413 * std::log(evidence.reach + 1e-3) +
+         1.0 * (alternative.overlap.score - 0.8);
 }
 
 double
-confidenceOf(const Evidence& evidence)
+confidenceOf(const Alternative& alternative)
 {
-  return 1.0 / (1.0 + std::exp(-logOddsOf(evidence)));
+  return 1.0 / (1.0 + std::exp(-logOddsOf(alternative)));
 }
 
 bool
-areEquallyGood(const Evidence& a, const Evidence& b)
+areEquallyGood(const Alternative& a, const Alternative& b)
 {
   return std::abs(logOddsOf(a) - logOddsOf(b)) < equally_good;
 }
@@ -45,8 +48,8 @@ areEquallyGood(const Evidence& a, const Evidence& b)
 bool
 isAmbiguous(const Alternatives& alternatives)
 {
-  return alternatives.size() > 1 && logOddsOf(alternatives[0].evidence) >= 0.0 &&
-         areEquallyGood(alternatives[0].evidence, alternatives[1].evidence);
+  return alternatives.size() > 1 && logOddsOf(alternatives[0]) >= 0.0 &&
+         areEquallyGood(alternatives[0], alternatives[1]);
 }
 
 Mode

@@ -383,7 +383,7 @@ public:
   getConfidence() const
   {
     return alternatives_.empty() ? 0.0
-                                 : kss::confidenceOf(alternatives_.front().evidence);
+                                 : kss::confidenceOf(alternatives_.front());
   }
 
   /** \brief Get whether another pose is about as good as the result, as for a symmetric

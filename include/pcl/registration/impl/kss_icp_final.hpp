@@ -41,7 +41,7 @@ try {
     const bool is_guess = guess && runs == 0; // which keeps its scale
     contender = finalICP(source, scorer, contender.alternative, !is_guess);
     ++runs;
-    best = std::max(best, kss::confidenceOf(contender.alternative.evidence));
+    best = std::max(best, kss::confidenceOf(contender.alternative));
     closest = std::max(closest, contender.alternative.overlap.score);
   }
   std::stable_sort(contenders.begin(), contenders.end(), isMoreLikely);
@@ -71,8 +71,7 @@ KSSICP<PointSource, PointTarget, Scalar>::isMoreLikely(const Contender& a,
 {
   if (static_cast<bool>(a.run) != static_cast<bool>(b.run))
     return static_cast<bool>(a.run);
-  return kss::logOddsOf(a.alternative.evidence) >
-         kss::logOddsOf(b.alternative.evidence);
+  return kss::logOddsOf(a.alternative) > kss::logOddsOf(b.alternative);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -82,13 +81,13 @@ KSSICP<PointSource, PointTarget, Scalar>::preferNearest(
     const kss::PoseScorer& scorer,
     std::vector<Contender>& contenders)
 {
-  const kss::Evidence best = contenders.front().alternative.evidence;
+  const Alternative best = contenders.front().alternative;
   const auto distance = [&](const Contender& contender) {
     return scorer.distance(contender.alternative.transformation, guess);
   };
   auto nearest = contenders.begin();
   for (auto other = contenders.begin() + 1; other != contenders.end(); ++other)
-    if (other->run && kss::areEquallyGood(best, other->alternative.evidence) &&
+    if (other->run && kss::areEquallyGood(best, other->alternative) &&
         distance(*other) < distance(*nearest))
       nearest = other;
   std::rotate(contenders.begin(), nearest, nearest + 1);
@@ -112,9 +111,12 @@ KSSICP<PointSource, PointTarget, Scalar>::atScaleOne(
   metric.topRightCorner<3, 1>() +=
       (pose - metric).topLeftCorner<3, 3>() * center.head<3>();
   const Contender settled = finalICP(source, scorer, scorer.scored(metric), false);
+  // what is as good only where the scale found is 1 as far as it is known
+  const bool is_one = std::log(scale) * std::log(scale) <=
+                      9.0 * contender.run->precision.covariance(6, 6);
   return isMoreLikely(settled, contender) ||
-                 kss::areEquallyGood(settled.alternative.evidence,
-                                     contender.alternative.evidence)
+                 (is_one &&
+                  kss::areEquallyGood(settled.alternative, contender.alternative))
              ? settled
              : contender;
 }

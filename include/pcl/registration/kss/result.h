@@ -53,17 +53,17 @@ struct FarPoints {
  * it: fitted, see docs/confidence.md.
  */
 PCL_KSS_ICP_EXPORT double
-logOddsOf(const Evidence& evidence);
+logOddsOf(const Alternative& alternative);
 
 /** \brief The probability that two clouds show one object, and that the pose is right
  * or an equivalent one: the logistic function of logOddsOf(). */
 PCL_KSS_ICP_EXPORT double
-confidenceOf(const Evidence& evidence);
+confidenceOf(const Alternative& alternative);
 
 /** \brief Whether chance alone can account for the difference between what the surfaces
  * say of two poses. */
 PCL_KSS_ICP_EXPORT bool
-areEquallyGood(const Evidence& a, const Evidence& b);
+areEquallyGood(const Alternative& a, const Alternative& b);
 
 /** \brief Whether the second of the alternatives is about as good as the first, and the
  * first one rather sure than not: without a pose there is no choice of poses. */
