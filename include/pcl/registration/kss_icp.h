@@ -347,6 +347,15 @@ public:
     return alternatives_.empty() ? kss::Overlap() : alternatives_.front().overlap;
   }
 
+  /** \brief Get how much of what the surfaces of the clouds say about the pose speaks
+   * for the final transformation; zeros before the first align() and after a failure.
+   */
+  kss::Evidence
+  getEvidence() const
+  {
+    return alternatives_.empty() ? kss::Evidence() : alternatives_.front().evidence;
+  }
+
   /** \brief Get how many points the last align() left out since they lie thousands of
    * times as far from the middle of their cloud as half of its points do (kss::Bulk);
    * zeros after a failure. The output has them, transformed as the others.
@@ -370,7 +379,9 @@ public:
   double
   getConfidence() const
   {
-    return kss::confidenceOf(getOverlap());
+    return alternatives_.empty()
+               ? 0.0
+               : kss::confidenceOf(alternatives_.front().evidence);
   }
 
   /** \brief Get whether another pose is about as good as the result, as for a symmetric
@@ -516,8 +527,8 @@ private:
   kss::Alignment&
   alignmentForSettings();
 
-  /** \brief Run the final ICP from the guess and the best contenders, until the best
-   * has been through it, and put that first.
+  /** \brief Run the final ICP from the guess and from all contenders that may be right,
+   * and put the one that the surfaces speak for most first.
    * \param[in] source the points that take part
    * \return why the work came to no end; empty if it did
    */
@@ -531,15 +542,35 @@ private:
    * borrows the members of the base class.
    * \param[in] source the points that take part
    * \param[in] contender where to start
+   * \param[in] estimate_scale whether the scale may change where it is estimated
    */
   Contender
   finalICP(const PointCloudSourceConstPtr& source,
            const kss::PoseScorer& scorer,
-           const Alternative& contender);
+           const Alternative& contender,
+           bool estimate_scale);
 
-  /** \brief Put the highest score first. */
+  /** \brief The contender at scale 1 where that explains the clouds as well: metric
+   * data must not lose accuracy to a scale that is free. */
+  Contender
+  atScaleOne(const PointCloudSourceConstPtr& source,
+             const kss::PoseScorer& scorer,
+             const Contender& contender);
+
+  /** \brief Of contenders that are as good as the first one, put the one first that is
+   * nearest to the guess. */
   static void
-  rank(std::vector<Contender>& contenders);
+  preferNearest(const Eigen::Matrix4d& guess,
+                const kss::PoseScorer& scorer,
+                std::vector<Contender>& contenders);
+
+  /** \brief Whether more of the clouds lies on each other: who deserves a run first. */
+  static bool
+  hasMoreOverlap(const Contender& a, const Contender& b);
+
+  /** \brief Whether the surfaces speak more for it; who has had no run comes last. */
+  static bool
+  isMoreLikely(const Contender& a, const Contender& b);
 
   /** \brief Take a contender as the result; one that has no run as it is.
    * \param[in] source_indices of the points that took part
@@ -580,6 +611,7 @@ private:
   kss::Stages stages_;
   kss::StopSignal stop_;
   bool source_is_output_ = false;
+  double rounding_error_ = 0.0; ///< of a distance between points
 
   kss::Alternatives alternatives_;
   kss::FarPoints far_points_;

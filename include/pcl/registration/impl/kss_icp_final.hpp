@@ -7,24 +7,16 @@
 
 #pragma once
 
+#include <pcl/common/centroid.h>
 #include <pcl/console/print.h>
 #include <pcl/registration/kss/detail/final_icp.h>
 #include <pcl/registration/kss/detail/similarity.h>
+#include <pcl/registration/kss/detail/surface_estimation.h>
 #include <pcl/registration/kss_icp.h>
 
 #include <algorithm>
 
 namespace pcl {
-
-template <typename PointSource, typename PointTarget, typename Scalar>
-void
-KSSICP<PointSource, PointTarget, Scalar>::rank(std::vector<Contender>& contenders)
-{
-  std::stable_sort(contenders.begin(), contenders.end(),
-                   [](const Contender& a, const Contender& b) {
-                     return a.alternative.overlap.score > b.alternative.overlap.score;
-                   });
-}
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 std::string
@@ -35,27 +27,96 @@ KSSICP<PointSource, PointTarget, Scalar>::settle(
     std::vector<Contender>& contenders)
 try {
   if (guess) {
-    contenders.push_back({scorer.scored(*guess), {}});
-    contenders.back() = finalICP(source, scorer, contenders.back().alternative);
+    contenders.insert(contenders.begin(), {scorer.scored(*guess), {}});
+    std::stable_sort(contenders.begin() + 1, contenders.end(), hasMoreOverlap);
   }
-  rank(contenders);
-  for (int runs = 0; runs < kss::most_final_icps && !contenders.front().run; ++runs) {
-    // where nothing fits, one run is enough to say so
-    if (runs > 0 && kss::confidenceOf(contenders.front().alternative.overlap) <
-                        settings_.minimum_confidence)
+  int runs = 0;
+  double best = 0.0, closest = 0.0;
+  for (Contender& contender : contenders) {
+    const double score = contender.alternative.overlap.score;
+    const bool may_be_right = score >= kss::hope * closest;
+    const bool is_doubtful = best < kss::doubtless && runs < kss::most_final_icps;
+    if (runs > 0 && !may_be_right && !is_doubtful)
       break;
-    contenders.front() = finalICP(source, scorer, contenders.front().alternative);
-    rank(contenders);
+    const bool is_guess = guess && runs == 0; // which keeps its scale
+    contender = finalICP(source, scorer, contender.alternative, !is_guess);
+    ++runs;
+    best = std::max(best, kss::confidenceOf(contender.alternative.evidence));
+    closest = std::max(closest, contender.alternative.overlap.score);
   }
-  const auto best =
-      std::find_if(contenders.begin(), contenders.end(),
-                   [](const Contender& contender) { return contender.run != nullptr; });
-  std::rotate(contenders.begin(), best, best + 1);
+  std::stable_sort(contenders.begin(), contenders.end(), isMoreLikely);
+  preferNearest(guess.value_or(Eigen::Matrix4d::Identity()), scorer, contenders);
+  if (settings_.estimate_scale)
+    contenders.front() = atScaleOne(source, scorer, contenders.front());
   return "";
 }
 catch (const kss::Stopped& stop) {
-  rank(contenders); // and the best so far has to do
+  // and the best so far has to do
+  std::stable_sort(contenders.begin(), contenders.end(), isMoreLikely);
   return stop.what();
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+bool
+KSSICP<PointSource, PointTarget, Scalar>::hasMoreOverlap(const Contender& a,
+                                                         const Contender& b)
+{
+  return a.alternative.overlap.score > b.alternative.overlap.score;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+bool
+KSSICP<PointSource, PointTarget, Scalar>::isMoreLikely(const Contender& a,
+                                                       const Contender& b)
+{
+  if (static_cast<bool>(a.run) != static_cast<bool>(b.run))
+    return static_cast<bool>(a.run);
+  return kss::logOddsOf(a.alternative.evidence) >
+         kss::logOddsOf(b.alternative.evidence);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::preferNearest(
+    const Eigen::Matrix4d& guess,
+    const kss::PoseScorer& scorer,
+    std::vector<Contender>& contenders)
+{
+  const kss::Evidence best = contenders.front().alternative.evidence;
+  const auto distance = [&](const Contender& contender) {
+    return scorer.distance(contender.alternative.transformation, guess);
+  };
+  auto nearest = contenders.begin();
+  for (auto other = contenders.begin() + 1; other != contenders.end(); ++other)
+    if (other->run && kss::areEquallyGood(best, other->alternative.evidence) &&
+        distance(*other) < distance(*nearest))
+      nearest = other;
+  std::rotate(contenders.begin(), nearest, nearest + 1);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+typename KSSICP<PointSource, PointTarget, Scalar>::Contender
+KSSICP<PointSource, PointTarget, Scalar>::atScaleOne(
+    const PointCloudSourceConstPtr& source,
+    const kss::PoseScorer& scorer,
+    const Contender& contender)
+{
+  const Eigen::Matrix4d& pose = contender.alternative.transformation;
+  const double scale = kss::scaleOf(pose);
+  if (std::abs(std::log(scale)) > kss::nearly_scale_one)
+    return contender;
+  Eigen::Matrix4d metric = pose;
+  metric.topLeftCorner<3, 3>() /= scale;
+  Eigen::Vector4d center;
+  compute3DCentroid(*source, center);
+  metric.topRightCorner<3, 1>() +=
+      (pose - metric).topLeftCorner<3, 3>() * center.head<3>();
+  const Contender settled = finalICP(source, scorer, scorer.scored(metric), false);
+  return isMoreLikely(settled, contender) ||
+                 kss::areEquallyGood(settled.alternative.evidence,
+                                     contender.alternative.evidence)
+             ? settled
+             : contender;
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -63,7 +124,8 @@ typename KSSICP<PointSource, PointTarget, Scalar>::Contender
 KSSICP<PointSource, PointTarget, Scalar>::finalICP(
     const PointCloudSourceConstPtr& source,
     const kss::PoseScorer& scorer,
-    const Alternative& contender)
+    const Alternative& contender,
+    bool estimate_scale)
 {
   const Eigen::Matrix4d& pose = contender.transformation;
 
@@ -83,6 +145,24 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(
   if (settings_.mode != kss::Mode::GLOBAL_GLOBAL)
     corr_dist_threshold_ =
         std::min(corr_dist_threshold_, kss::final_icp_reach * scorer.spacingAt(pose));
+  auto* const surfaces =
+      dynamic_cast<kss::SurfaceEstimation<PointSource, PointTarget, Scalar>*>(
+          this->transformation_estimation_.get());
+  if (surfaces) {
+    kss::SurfaceStepSettings steps;
+    if (estimate_scale && settings_.estimate_scale) {
+      steps.smallest_scale = settings_.smallest_scale;
+      steps.largest_scale = settings_.largest_scale;
+    }
+    steps.rounding_error = rounding_error_;
+    steps.source_normal_error = scorer.sourceNormalError();
+    steps.target_normal_error = scorer.targetNormalError();
+    surfaces->start(scorer, *source, target_->size(), pose, steps);
+  }
+  auto* const criteria =
+      dynamic_cast<kss::FinalICPCriteria<Scalar>*>(convergence_criteria_.get());
+  if (criteria)
+    criteria->follow(surfaces ? &surfaces->last() : nullptr);
   PointCloudSource unused;
   bool is_pose = true;
   try {
@@ -167,7 +247,7 @@ KSSICP<PointSource, PointTarget, Scalar>::judgeResult(const std::string& stopped
   else if (getConfidence() < settings_.minimum_confidence) {
     const std::string known = explains_misfits_ ? whatWouldFit(given_scale) : "";
     failure_ = {kss::FailureCause::NO_FIT,
-                known.empty() ? kss::misfitAt(getOverlap()) : known};
+                known.empty() ? kss::misfitAt(getEvidence()) : known};
   }
   converged_ = failure_.cause == kss::FailureCause::NONE;
   if (!converged_ && explains_misfits_)

@@ -49,15 +49,21 @@ struct FarPoints {
   std::size_t target = 0; ///< of the target
 };
 
-/** \brief How sure it is that two clouds show one object at a pose, in [0, 1]: the
- * logistic function of the overlap's score.
- *
- * The best poses of different objects score up to 0.43, of smooth lumps up to 0.53;
- * right ones 0.57 and more, which is two fifths of each cloud lying on the other;
- * between them, at 0.55, the confidence is 0.5.
+/** \brief The logarithm of the odds that a pose is right, from what the surfaces say of
+ * it: fitted, see docs/confidence.md.
  */
 PCL_KSS_ICP_EXPORT double
-confidenceOf(const Overlap& overlap);
+logOddsOf(const Evidence& evidence);
+
+/** \brief The probability that two clouds show one object, and that the pose is right
+ * or an equivalent one: the logistic function of logOddsOf(). */
+PCL_KSS_ICP_EXPORT double
+confidenceOf(const Evidence& evidence);
+
+/** \brief Whether chance alone can account for the difference between what the surfaces
+ * say of two poses. */
+PCL_KSS_ICP_EXPORT bool
+areEquallyGood(const Evidence& a, const Evidence& b);
 
 /** \brief Whether the second of the alternatives is about as good as the first, and the
  * first one rather sure than not: without a pose there is no choice of poses. */
@@ -71,7 +77,7 @@ modeOf(const Overlap& overlap);
 
 /** \brief One sentence on clouds that do not fit at the best pose. */
 PCL_KSS_ICP_EXPORT std::string
-misfitAt(const Overlap& overlap);
+misfitAt(const Evidence& evidence);
 
 } // namespace kss
 } // namespace pcl
