@@ -10,6 +10,7 @@
 #include "support/short_text.h"
 #include "support/units.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace pcl {
@@ -47,12 +48,14 @@ throwIfUndetermined(const CloudSize& source, const CloudSize& target, double sca
     std::swap(large, small);
     std::swap(larger, smaller);
   }
+  // a box changes with the way a cloud is turned, and would name no unit
+  const double radii = scale * source.radius / target.radius;
   throw std::invalid_argument(
       (scale == 1.0 ? "The " : "At the scale " + shortText(scale) + ", the ") + large +
       " is " + shortText(larger / smaller) + " times as large as the " + small + " (" +
       shortText(larger) + " against " + shortText(smaller) +
       "), too large for a pose to be told: " +
-      questionOfUnits(large, small, larger / smaller) +
+      questionOfUnits(large, small, std::max(radii, 1.0 / radii)) +
       ", or is the scale to be estimated?");
 }
 

@@ -67,9 +67,14 @@ TEST(Sides, OfThinWallsAreNoContradiction)
     const Oriented wall = orientedBox({1.0f, 1.0f, thickness / 2.0f}, 4000, 5);
     EXPECT_TRUE(areConsistent(wall)) << thickness;
   }
-  // with all of them upwards it cannot be told from one noisy sheet
-  const Oriented wall = orientedBox({1.0f, 1.0f, 0.015f}, 4000, 6);
-  EXPECT_FALSE(areConsistent(turnedTowards({0.0f, 0.0f, 9.0f}, wall)));
+  // two sheets that both face upwards cannot be told from one that is noisy
+  Oriented sheets{sampled(box({0.0, 0.0, 0.0}, {1.0, 1.0, 0.0}), 4000, 6),
+                  Points::Zero(3, 4000)};
+  sheets.normals.row(2).setOnes();
+  EXPECT_TRUE(areConsistent(sheets));
+  for (Eigen::Index i = 0; i < 4000; i += 2)
+    sheets.points(2, i) = 0.015f;
+  EXPECT_FALSE(areConsistent(sheets));
 }
 
 TEST(Sides, OfOneViewAreConsistent)

@@ -2,8 +2,11 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
+#include "clouds.h"
 #include "oriented_shapes.h"
 #include "poses.h"
+
+#include <pcl/registration/kss/detail/cloud_conversion.h>
 
 #include "preparation/given_normals.h"
 #include "preparation/preparation.h"
@@ -97,6 +100,36 @@ TEST_F(GivenNormals, ThatChangeAreSeen)
                 .sum()
                 .minCoeff(),
             0.3f);
+}
+
+TEST(LocalNormals, AreThoseOfThePoints)
+{
+  const Oriented ball = orientedEllipsoid({1.0f, 1.0f, 1.0f}, 100, 5);
+  const auto localOf = [](const auto& cloud) {
+    return toLocalCloud(cloud, usablePoints(cloud, allIndices(cloud)));
+  };
+  const auto cloud = cloudOf<pcl::PointNormal>(ball.points);
+  EXPECT_EQ(0, localOf(*cloud).normals.cols()); // all of them are zero
+  for (Eigen::Index i = 0; i < 100; ++i)
+    (*cloud)[i].getNormalVector3fMap() = (1.0f + i) * ball.normals.col(i);
+  makeNaN((*cloud)[3]);
+  (*cloud)[5].normal_y = std::numeric_limits<float>::quiet_NaN();
+  (*cloud)[6].normal_y = std::numeric_limits<float>::infinity();
+  const LocalCloud local = localOf(*cloud);
+  ASSERT_EQ(99, local.points.cols());
+  ASSERT_EQ(99, local.normals.cols());
+  for (Eigen::Index i = 0; i < 99; ++i) {
+    const Eigen::Index of = i < 3 ? i : i + 1;
+    if (of == 5 || of == 6)
+      EXPECT_TRUE(local.normals.col(i).isZero());
+    else
+      EXPECT_TRUE(local.normals.col(i).isApprox(ball.normals.col(of), 1e-5f));
+  }
+  // most have none
+  for (Eigen::Index i = 0; i < 60; ++i)
+    (*cloud)[i].getNormalVector3fMap().setZero();
+  EXPECT_EQ(0, localOf(*cloud).normals.cols());
+  EXPECT_EQ(0, localOf(*cloudOf<pcl::PointXYZ>(ball.points)).normals.cols());
 }
 
 } // namespace
