@@ -110,13 +110,13 @@ Alignment::align(const LocalCloud& source,
   stages.begin("refinement");
   const Similarity T_target_shape = shapes->target.simplified.T_cloud_shape();
   const Similarity T_shape_source = shapes->source.simplified.T_cloud_shape().inverse();
-  const PoseScorer scorer(shapes);
   Alternatives alternatives;
-  for (const JudgedPose& judged : refined(minima, *shapes, search, settings, done))
-    alternatives.push_back(scorer.scored(
-        (T_target_shape * judged.T_target_source * T_shape_source).matrix()));
+  for (const auto& [pose, overlap] : refined(minima, *shapes, search, settings, done))
+    // what surfaces say is asked where the final ICP has laid them on each other
+    alternatives.push_back(
+        {(T_target_shape * pose * T_shape_source).matrix(), overlap, {}});
   stages.end();
-  return {alternatives, scorer};
+  return {alternatives, PoseScorer(shapes)};
 }
 
 const Settings&

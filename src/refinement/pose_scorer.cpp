@@ -9,6 +9,7 @@
 #include "preparation/shape_pair.h"
 #include "refinement/overlap.h"
 #include "surfaces/evidence.h"
+#include "surfaces/skins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,6 +82,21 @@ double
 PoseScorer::distance(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const
 {
   return shapes_->metric.distance(poseOf(a, *shapes_), poseOf(b, *shapes_));
+}
+
+std::optional<Eigen::Matrix4d>
+PoseScorer::skinBeside(const Eigen::Matrix4d& transformation, bool scale_is_free) const
+{
+  if (shapes_->is_noisy)
+    return {};
+  const std::optional<Similarity> pose =
+      kss::skinBeside(shapes_->source.surface, shapes_->target.surface,
+                      poseOf(transformation, *shapes_), scale_is_free);
+  if (!pose)
+    return {};
+  return (shapes_->target.simplified.T_cloud_shape() * *pose *
+          shapes_->source.simplified.T_cloud_shape().inverse())
+      .matrix();
 }
 
 double

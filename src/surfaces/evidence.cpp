@@ -7,6 +7,7 @@
 #include "geometry/clouds.h"
 #include "geometry/median.h"
 #include "geometry/take.h"
+#include "surfaces/pose_rows.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -20,24 +21,9 @@ namespace {
 /** Points of each cloud that speak. */
 constexpr Eigen::Index most_speakers = 4000;
 
-/** How near a surface a point has to be, in spacings: beyond, none of the other
- * sampling of the same surface is expected to be found. */
-constexpr float near_spacings = 2.5f;
-
-/** How far off its plane, in standard deviations of the noise: one in eighty of a
- * normal distribution is farther. */
-constexpr float within_noise = 2.5f;
-
-/** Noise, in spacings, below which planes of a dozen neighbours cannot be trusted. */
-constexpr float least_noise = 0.05f;
-
-/** Cosine of the angle between normals that agree. */
-constexpr float agreeing = 0.8f;
-
 /** What a direction of a pose has to say to count, relative to an average one. */
 constexpr double silent = 1e-4;
 
-using Row = Eigen::Matrix<float, 7, 1>;
 using Information = Eigen::Matrix<float, 7, 7>;
 
 /** The information of some points, summed up. */
@@ -46,7 +32,7 @@ struct Sums {
   Eigen::Index points = 0;
 
   void
-  add(const Row& row)
+  add(const PoseRow& row)
   {
     information.selfadjointView<Eigen::Lower>().rankUpdate(row);
     ++points;
@@ -87,42 +73,21 @@ supportOf(const OrientedPoints& from,
           bool scale_is_free,
           Residuals& residuals)
 {
-  const Points& points = from.points->points();
-  const Eigen::Index size = points.cols(), count = std::min(most_speakers, size);
-  const Eigen::Affine3f placement = T_to_from.affine();
-  const Eigen::Matrix3f rotation = T_to_from.rotation.cast<float>();
-  const auto scale = static_cast<float>(T_to_from.scale);
-  const Eigen::Vector3f center = placement * points.rowwise().mean().eval();
-  const float radius = scale * rootMeanSquareRadius(points, points.rowwise().mean());
-
+  const Eigen::Index size = from.points->points().cols();
+  const Eigen::Index count = std::min(most_speakers, size);
+  const PlacedSurface placed(from, T_to_from);
   Sums all, near, explained;
   for (Eigen::Index n = 0; n < count; ++n) {
     const Eigen::Index i = evenlySpaced(n, count, size);
-    const Eigen::Vector3f x = placement * points.col(i);
-    const Eigen::Vector3f normal = rotation * from.normals.col(i);
-    const Eigen::Vector3f arm = (x - center) / radius;
-    const Eigen::Vector3f turn = arm.cross(normal);
-    Row row;
-    row << normal.x(), normal.y(), normal.z(), turn.x(), turn.y(), turn.z(),
-        normal.dot(arm);
+    const PoseRow row = placed.row(placed.point(i), placed.normal(i));
     all.add(row);
-
-    float squared;
-    const int other = to.points->nearest(x, squared);
-    const float spacing =
-        std::max(scale * from.points->spacing()[i], to.points->spacing()[other]);
-    if (squared > near_spacings * near_spacings * spacing * spacing)
-      continue;
-    near.add(row);
-    const Eigen::Vector3f to_normal = to.normals.col(other);
-    const float cosine = normal.dot(to_normal);
-    const float agreement = from.has_sides && to.has_sides ? cosine : std::abs(cosine);
-    const float off = std::abs(to_normal.dot(x - to.points->points().col(other)));
-    const float deviation = std::max(noise, least_noise * spacing);
-    if (agreement < agreeing || off > within_noise * deviation)
+    const Explanation found = explanationOf(to, placed, i, noise);
+    if (found.is_near)
+      near.add(row);
+    if (!found.is_explained)
       continue;
     explained.add(row);
-    residuals.squared += off * off / (deviation * deviation);
+    residuals.squared += found.off * found.off;
     ++residuals.points;
   }
   const int directions = scale_is_free ? 7 : 6;

@@ -34,16 +34,24 @@ constexpr double random_normals = 1.0 / 3.0;
  * kept, in standard deviations, and the median of such errors' absolute values. */
 constexpr double biweight_width = 4.685;
 constexpr double gaussian_median = 0.6745;
+constexpr double gaussian_quarter = 0.3186; // the same of their lower quartile
 
 /** What rounding leaves of an eigenvalue per pair. */
 constexpr double rounding_eigenvalue = 1e-6;
 
 double
-medianOf(std::vector<double> values)
+quantileOf(std::vector<double> values, double share)
 {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(
+                                       share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+double
+medianOf(const std::vector<double>& values)
+{
+  return quantileOf(values, 0.5);
 }
 
 /** The pairs that have a counterpart: short ones whose normals mean the same part. */
@@ -125,14 +133,18 @@ equationsOf(const SurfacePairs& pairs, const SurfaceStepSettings& settings)
 NormalEquations
 normalEquationsAt(const PairEquations& equations,
                   const Change& change,
-                  double rounding_error)
+                  const SurfaceStepSettings& settings)
 {
+  const double rounding_error = settings.rounding_error;
   const Eigen::VectorXd residuals =
       equations.residuals + equations.columns.transpose() * change;
   std::vector<double> absolute(residuals.size());
   for (Eigen::Index i = 0; i < residuals.size(); ++i)
     absolute[i] = std::abs(residuals[i]);
-  const double spread = std::max(medianOf(absolute) / gaussian_median, rounding_error);
+  const double spread = std::max(settings.has_skins
+                                     ? quantileOf(absolute, 0.25) / gaussian_quarter
+                                     : medianOf(absolute) / gaussian_median,
+                                 rounding_error);
   const double width = std::max(biweight_width * spread, 1e-300);
   NormalEquations normal;
   normal.pulls.resize(residuals.size());

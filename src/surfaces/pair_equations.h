@@ -57,7 +57,7 @@ struct NormalEquations {
 NormalEquations
 normalEquationsAt(const PairEquations& equations,
                   const Change& change,
-                  double rounding_error);
+                  const SurfaceStepSettings& settings);
 
 /** \brief The smallest eigenvalue of the normal equations along which the pairs
  * determine the pose. */

@@ -57,7 +57,7 @@ surfacePrecision(const SurfacePairs& pairs,
   if (!equations.are_usable)
     return precision;
   const NormalEquations normal =
-      normalEquationsAt(equations, Change::Zero(), settings.rounding_error);
+      normalEquationsAt(equations, Change::Zero(), settings);
   const int n = settings.smallest_scale < settings.largest_scale ? 7 : 6;
   precision.unknowns = n;
 

@@ -74,7 +74,7 @@ surfaceStep(const SurfacePairs& pairs, const SurfaceStepSettings& settings)
   unknowns[6] = std::min(std::max(0.0, smallest), largest);
   NormalEquations normal;
   for (int round = 0; round < rounds; ++round) {
-    normal = normalEquationsAt(equations, unknowns, settings.rounding_error);
+    normal = normalEquationsAt(equations, unknowns, settings);
     const double least = smallestDetermined(equations, normal);
     Change change;
     step.undetermined = solve(normal, estimates_scale ? 7 : 6, least, change);

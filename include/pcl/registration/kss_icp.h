@@ -588,12 +588,22 @@ private:
    * \param[in] source the points that take part
    * \param[in] contender where to start
    * \param[in] estimate_scale whether the scale may change where it is estimated
+   * \param[in] has_skins whether half of the source may have its nearest points on
+   * another skin of the target
    */
   Contender
   finalICP(const PointCloudSourceConstPtr& source,
            const kss::PoseScorer& scorer,
            const Alternative& contender,
-           bool estimate_scale);
+           bool estimate_scale,
+           bool has_skins = false);
+
+  /** \brief The contender on a skin beside it, or between which it has come to rest,
+   * where that explains more. */
+  Contender
+  onSkinBeside(const PointCloudSourceConstPtr& source,
+               const kss::PoseScorer& scorer,
+               const Contender& contender);
 
   /** \brief The contender at scale 1 where that explains the clouds as well: metric
    * data must not lose accuracy to a scale that is free. */

@@ -45,6 +45,7 @@ try {
     closest = std::max(closest, contender.alternative.overlap.score);
   }
   std::stable_sort(contenders.begin(), contenders.end(), isMoreLikely);
+  contenders.front() = onSkinBeside(source, scorer, contenders.front());
   preferNearest(guess.value_or(Eigen::Matrix4d::Identity()), scorer, contenders);
   if (settings_.estimate_scale)
     contenders.front() = atScaleOne(source, scorer, contenders.front());
@@ -95,6 +96,22 @@ KSSICP<PointSource, PointTarget, Scalar>::preferNearest(
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 typename KSSICP<PointSource, PointTarget, Scalar>::Contender
+KSSICP<PointSource, PointTarget, Scalar>::onSkinBeside(
+    const PointCloudSourceConstPtr& source,
+    const kss::PoseScorer& scorer,
+    const Contender& contender)
+{
+  const auto beside = scorer.skinBeside(contender.alternative.transformation,
+                                        settings_.estimate_scale);
+  if (!beside)
+    return contender;
+  const Contender settled =
+      finalICP(source, scorer, scorer.scored(*beside), true, true);
+  return isMoreLikely(settled, contender) ? settled : contender;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+typename KSSICP<PointSource, PointTarget, Scalar>::Contender
 KSSICP<PointSource, PointTarget, Scalar>::atScaleOne(
     const PointCloudSourceConstPtr& source,
     const kss::PoseScorer& scorer,
@@ -127,7 +144,8 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(
     const PointCloudSourceConstPtr& source,
     const kss::PoseScorer& scorer,
     const Alternative& contender,
-    bool estimate_scale)
+    bool estimate_scale,
+    bool has_skins)
 {
   const Eigen::Matrix4d& pose = contender.transformation;
 
@@ -157,6 +175,7 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(
       steps.largest_scale = settings_.largest_scale;
     }
     steps.rounding_error = rounding_error_;
+    steps.has_skins = has_skins;
     steps.source_normal_error = scorer.sourceNormalError();
     steps.target_normal_error = scorer.targetNormalError();
     surfaces->start(scorer, *source, target_->size(), pose, steps);

@@ -16,6 +16,9 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 std::string
 KSSICP<PointSource, PointTarget, Scalar>::whatWouldFit(double given_scale)
 {
+  // what fits mirrored comes near the target as it is, too
+  if (getOverlap().score < kss::resembling)
+    return "";
   const auto mirrored = pcl::make_shared<PointCloudSource>();
   copyIndexedSource(*mirrored);
   for (PointSource& point : *mirrored) {

@@ -11,6 +11,10 @@
 namespace pcl {
 namespace kss {
 
+/** \brief The score of the overlap of clouds that resemble each other: different objects
+ * score 0.33 at most, mirror images 0.41 and more. */
+constexpr double resembling = 0.36;
+
 /** \brief One sentence on a source that fits only as its mirror image. */
 PCL_KSS_ICP_EXPORT std::string
 misfitButMirrored();
