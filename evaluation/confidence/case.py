@@ -21,6 +21,7 @@ class Case:
     objects: what they show
     foreign: no pose is right, but for one that lays all of one surface on the other
     tolerance: degrees, and the share of the source's diagonal that its centroid may be off
+    slack: how near all of one surface is to the other when laid on it, as such a share
     surfaces: meshes of all that source and target show parts of, so that the equal poses
         of symmetric objects count; none where the pose alone tells
     scaling: rigid (scale 1, told to the program), metric (1, not told), any (not 1)"""
@@ -29,6 +30,7 @@ class Case:
     objects: list
     foreign: bool = False
     tolerance: tuple = (4., .03)
+    slack: float = .008
     surfaces: tuple = ()
     scaling: str = ""
 
@@ -66,7 +68,7 @@ def write(folder, kind, split, case, rng):
         "kind": kind, "split": split, "objects": case.objects, "foreign": case.foreign,
         "rigid": case.scaling == "rigid", "scaling": case.scaling,
         "pose": pose.tolist(), "degrees": case.tolerance[0],
-        "length": case.tolerance[1] * reach, "centroid": source.mean(0).tolist()}))
+        "length": case.tolerance[1] * reach, "slack": case.slack, "centroid": source.mean(0).tolist()}))
     if case.surfaces:
         probes = geometry.sampled(case.surfaces[0], 1500, rng)[0]
         points, faces = geometry.sampled(case.surfaces[1], 15000, rng)

@@ -37,7 +37,8 @@ FEATURES = {   # name: (sign, function of the columns)
     "free scale": (-1, lambda c: (c["scaling"] != "rigid").astype(float)),
     "score": (1, lambda c: c["score"]),
 }
-USED = ["best worst", "least worst", "consistent", "residual", "reach", "points"]
+USED = ["best worst", "mean consistent", "residual", "reach", "score"]
+FARTHEST = 8   # a margin beyond counts as this
 
 
 def matrix(columns, names):
@@ -46,3 +47,8 @@ def matrix(columns, names):
 
 def signs(names):
     return [FEATURES[name][0] for name in names]
+
+
+def with_margin(odds, margin):
+    """What the confidence of a case's best pose is a function of."""
+    return np.column_stack([odds, np.log1p(np.minimum(margin, FARTHEST))])

@@ -5,8 +5,7 @@ from scipy.spatial import cKDTree
 
 import geometry
 
-SCALE = .03    # relative error that is still right
-SURFACE = .008  # of the diagonal: how near all of one surface is to the other when laid on it
+SCALE = .05   # relative error that is still right
 
 
 def errors(meta, pose):
@@ -27,11 +26,11 @@ def distances(probes, points, normals):
     return np.where(apart < .03 * geometry.diagonal(points), plane, apart)
 
 
-def coincide(surfaces, pose):
+def coincide(surfaces, pose, slack):
     """Whether all of the source's surface lies on the target's, and the reverse."""
     placed = geometry.moved(pose, surfaces["source"].astype(float))
     points, normals = surfaces["target"].astype(float), surfaces["normals"].astype(float)
-    limit = SURFACE * geometry.diagonal(points)
+    limit = slack * geometry.diagonal(points)
     if np.quantile(distances(placed, points, normals), .97) > limit:
         return False
     back = cKDTree(placed).query(points[::10])[0]
@@ -43,6 +42,6 @@ def verdict(meta, surfaces, pose):
     degrees, shift, scale = errors(meta, pose)
     by_pose = not meta["foreign"] and degrees < meta["degrees"] and \
         shift < meta["length"] and scale < SCALE
-    right = by_pose or (surfaces is not None and coincide(surfaces, pose))
+    right = by_pose or (surfaces is not None and coincide(surfaces, pose, meta["slack"]))
     return {"right": int(right), "right_pose": int(by_pose), "degrees": round(degrees, 3),
             "shift": round(shift / meta["length"], 4), "scale_error": round(scale, 5)}

@@ -39,3 +39,17 @@ def area_under_roc(score, right, weights=None):
     lower = np.where(first > 0, below[first - 1], 0)
     mean = (lower + below[last]) / 2
     return (weights * mean)[right].sum() / (weights[right].sum() * below[-1])
+
+
+def never_falling(score, right, weights):
+    """The isotonic regression of right on score: a function of scores."""
+    order = np.argsort(score)
+    blocks = []
+    for at, value, weight in zip(score[order], right[order].astype(float), weights[order]):
+        blocks.append([at, value, weight])
+        while len(blocks) > 1 and blocks[-2][1] >= blocks[-1][1]:
+            _, value, weight = blocks.pop()
+            total = blocks[-1][2] + weight
+            blocks[-1][1:] = [(blocks[-1][1] * blocks[-1][2] + value * weight) / total, total]
+    starts, values, _ = np.array(blocks).T
+    return lambda scores: values[np.maximum(np.searchsorted(starts, scores, "right") - 1, 0)]

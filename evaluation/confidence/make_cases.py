@@ -3,6 +3,7 @@
 """Makes pairs of clouds of which it is known which poses are right.
 
 usage: make_cases.py MODELS OUT [--seed N] [--share X] [--jobs N]
+       [--only KIND,...]
 MODELS is what models.py has filled. --share: that part of the cases of each kind."""
 import argparse
 import functools
@@ -28,9 +29,9 @@ KINDS = {
     "room": (70, 34), "corridor": (26, 10), "street": (60, 28), "in_room": (30, 30)}
 
 
-def tasks(share):
+def tasks(share, only=""):
     return [(kind, foreign, number) for kind, counts in KINDS.items()
-            for foreign, count in enumerate(counts)
+            if not only or kind in only.split(",") for foreign, count in enumerate(counts)
             for number in range(round(share * count))]
 
 
@@ -55,13 +56,15 @@ def main():
     parser.add_argument("out", type=pathlib.Path)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--share", type=float, default=1.)
+    parser.add_argument("--only", default="")
     parser.add_argument("--jobs", type=int, default=2)
     options = parser.parse_args()
     one = functools.partial(make, folder=options.models, out=options.out, seed=options.seed)
+    todo = tasks(options.share, options.only)
     with multiprocessing.Pool(options.jobs) as pool:
-        for _ in pool.imap_unordered(one, tasks(options.share), 8):
+        for _ in pool.imap_unordered(one, todo, 8):
             pass
-    print(len(tasks(options.share)), "cases")
+    print(len(todo), "cases")
 
 
 if __name__ == "__main__":

@@ -61,7 +61,8 @@ def noisy(world, rng, foreign):
     sigma = np.exp(rng.uniform(np.log(.003), np.log(.03)))
     source = cloud(meshes[0], rng, sigma)
     target = cloud(meshes[1], rng, rng.choice([0, sigma]))
-    return made(source, target, names, meshes, foreign, tolerance=(6., .04))
+    return made(source, target, names, meshes, foreign, tolerance=(6., .04),
+                slack=.008 + sigma / 2)
 
 
 def one_sided(world, rng, foreign):
@@ -83,7 +84,7 @@ def sparse(world, rng, foreign):
     meshes, names = pair(world, rng, foreign)
     source = cloud(meshes[0], rng, None, count(rng, 60, 800))
     target = cloud(meshes[1], rng, None, count(rng, 60, 4000))
-    return made(source, target, names, meshes, foreign, tolerance=(8., .05))
+    return made(source, target, names, meshes, foreign, tolerance=(8., .05), slack=.02)
 
 
 def stray(world, rng, foreign):
@@ -153,25 +154,26 @@ def panel_skin(world, rng, foreign):
     things = world.two_members(rng, ["panel"])
     (name, mesh), (other, target) = things if foreign else (things[0], things[0])
     own = np.random.default_rng(int(name.split("-")[1]))
-    thickness = own.uniform(.012, .04)
+    thickness = own.uniform(.015, .05)
     mesh = geometry.unit(parts.panel(own, thickness))
     target = target if foreign else mesh
-    side = rng.choice([-1, 1])
-    source = scanning.depth_view(mesh, np.array([*rng.uniform(-.5, .5, 2), side]), count(rng),
-                                 rng, rng.uniform(0, .2) * thickness)
-    return Case(source, cloud(target, rng, rng.uniform(0, .1) * thickness),
+    ahead = np.array([*rng.uniform(-.5, .5, 2), rng.choice([-1, 1])])
+    source = scanning.depth_view(mesh, ahead, count(rng, 5000, 20000), rng,
+                                 rng.uniform(0, .2) * thickness)
+    target = cloud(target, rng, rng.uniform(0, .1) * thickness, count(rng, 8000, 30000))
+    return Case(source, target,
                 sorted({name, other}) if foreign else [name], foreign, (3., .35 * thickness),
                 scaling=str(rng.choice(["rigid", "metric", "any"], p=[.45, .4, .15])))
 
 
 def two_sides(world, rng, foreign):
     """Front and back of something flat or broken, which share little but the rim."""
-    families = ["stone", "marked_plank", "mounting_plate"]
+    families = ["stone", "stone", "marked_plank", "mounting_plate", "bracket", "assembly"]
     things = world.two_members(rng, families)
     (name, mesh), (other, behind) = things if foreign else (things[0], things[0])
     direction = np.array([*rng.normal(size=2) * .4, 1.])
     source = view(mesh, direction, rng)
-    target = view(behind, -direction + rng.normal(size=3) * .35, rng)
+    target = view(behind, -direction + rng.normal(size=3) * .6, rng)
     return made(source, target, sorted({name, other}) if foreign else [name], [mesh, mesh],
                 foreign, tolerance=(4., .02))
 
@@ -221,7 +223,7 @@ def mirror(world, rng, foreign):
     image = geometry.mirrored(mesh)
     source = cloud(image, rng)
     if rng.random() < .5:
-        source = scanning.kept_part(source, rng.uniform(.4, .8), rng)[0]
+        source = scanning.kept_part(source, rng.uniform(.7, .9), rng)[0]
     return Case(source, cloud(mesh, rng), [name], True, surfaces=(image, mesh))
 
 

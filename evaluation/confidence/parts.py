@@ -171,7 +171,7 @@ def panel(rng, thickness=None):
         x, y, r = rng.uniform(-.35, .35), rng.uniform(-.35, .35), rng.uniform(.06, .15)
         z += rng.choice([-1, 1]) * rng.uniform(.02, .05) / (
             1 + (((u - x) ** 2 + (v - y) ** 2) / r ** 2) ** 4)
-    thickness = rng.uniform(.012, .04) if thickness is None else thickness
+    thickness = rng.uniform(.015, .05) if thickness is None else thickness
     skew = rng.uniform(-.2, .2) * u
     return solids.skins(np.stack([u, width * v + skew, z], 2), thickness)
 

@@ -2,18 +2,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Registers the cases of make_cases.py: a table of all poses found, with their evidence.
 
-usage: run_cases.py CASES TABLE.csv [--program "pcl_kss_icp"] [--jobs N] [--only KIND,...]
+usage: run_cases.py CASES OUT [--program "pcl_kss_icp"] [--jobs N] [--only KIND,...]
+       [--share X] [--judge]
+OUT gets the reports and table.csv. Reports that are there are kept, so that a run that
+was stopped goes on; --judge makes the table of them alone.
 A row for each alternative of each report: the case, whether the pose is right, and every
-number that the report gives for it. A case without any pose has a row of rank -1."""
+number that the report gives for it. A case without any pose has a row of rank -1.
+--share: the first cases of each kind, that part of them."""
 import argparse
 import csv
 import json
 import multiprocessing.pool
-import os
 import pathlib
 import shlex
 import subprocess
-import tempfile
 
 import numpy as np
 
@@ -37,23 +39,29 @@ def numbers(found, prefix=""):
     return named
 
 
-def register(folder, program):
+def register(folder, report_path, program):
+    """Has the report of a case written, unless it is there."""
+    if report_path.exists():
+        return
+    written = report_path.with_suffix(".part")
+    meta = json.loads((folder / "meta.json").read_text())
+    command = program + [folder / "source.pcd", folder / "target.pcd", "--report",
+                         written, "--quiet"] + ["--rigid"] * meta["rigid"]
+    done = subprocess.run(command, check=False, stderr=subprocess.PIPE)
+    if done.returncode not in (0, 1):
+        raise RuntimeError(f"{folder}: {done.returncode} {done.stderr.decode()}")
+    written.rename(report_path)
+
+
+def judged(folder, report_path):
     """The rows of a case."""
     meta = json.loads((folder / "meta.json").read_text())
-    with tempfile.TemporaryDirectory() as scratch:
-        report_path = os.path.join(scratch, "report.json")
-        command = program + [folder / "source.pcd", folder / "target.pcd", "--report",
-                             report_path, "--quiet"] + ["--rigid"] * meta["rigid"]
-        done = subprocess.run(command, check=False, stderr=subprocess.PIPE)
-        if done.returncode not in (0, 1):
-            raise RuntimeError(f"{folder}: {done.returncode} {done.stderr.decode()}")
-        with open(report_path) as file:
-            report = json.load(file)
+    report = json.loads(report_path.read_text())
     surfaces = folder / "surfaces.npz"
     surfaces = dict(np.load(surfaces)) if surfaces.exists() else None
     start = {"case": folder.name, "kind": meta["kind"], "split": meta["split"],
              "objects": "+".join(meta["objects"]), "scaling": meta["scaling"],
-             "registered": int(done.returncode == 0),
+             "registered": int(report["converged"]),
              "confidence": report.get("confidence"),
              "ambiguous": int(bool(report.get("ambiguous")))}
     rows = []
@@ -64,22 +72,36 @@ def register(folder, program):
     return rows or [{**start, "rank": -1, "right": 0, "right_pose": 0}]
 
 
+def some_of_each(cases, only, share):
+    """The folders of the first cases of each kind, the first of all kinds first."""
+    kinds = {}
+    for folder in sorted(cases.iterdir()):
+        kinds.setdefault(folder.name.rsplit("-", 1)[0], []).append(folder)
+    some = [folder for kind, folders in kinds.items() if not only or kind in only.split(",")
+            for folder in folders[:round(share * len(folders))]]
+    return sorted(some, key=lambda folder: folder.name.rsplit("-", 1)[::-1])
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("cases", type=pathlib.Path)
-    parser.add_argument("table", type=pathlib.Path)
+    parser.add_argument("out", type=pathlib.Path)
     parser.add_argument("--program", default="pcl_kss_icp")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", default="")
+    parser.add_argument("--share", type=float, default=1.)
+    parser.add_argument("--judge", action="store_true")
     options = parser.parse_args()
-    folders = sorted(folder for folder in options.cases.iterdir() if not options.only or
-                     folder.name.rsplit("-", 1)[0] in options.only.split(","))
+    folders = some_of_each(options.cases, options.only, options.share)
     program = shlex.split(options.program)
-    with multiprocessing.pool.ThreadPool(options.jobs) as pool:
-        rows = [row for rows in pool.imap(lambda folder: register(folder, program), folders)
-                for row in rows]
+    options.out.mkdir(parents=True, exist_ok=True)
+    pairs = [(folder, options.out / f"{folder.name}.json") for folder in folders]
+    if not options.judge:
+        with multiprocessing.pool.ThreadPool(options.jobs) as pool:
+            pool.starmap(lambda *pair: register(*pair, program), pairs, 1)
+    rows = [row for pair in pairs if pair[1].exists() for row in judged(*pair)]
     columns = list(dict.fromkeys(FIRST + [name for row in rows for name in row]))
-    with open(options.table, "w", newline="") as file:
+    with open(options.out / "table.csv", "w", newline="") as file:
         writer = csv.DictWriter(file, columns, lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)

@@ -22,17 +22,29 @@ def chosen(columns, rows):
     return {name: column[rows] for name, column in columns.items()}
 
 
-def best_of_each(columns, score):
-    """Rows of each case's best pose, and of its next best or -1."""
+def best_of_each(columns, score, alike):
+    """Of each case the row of the best pose, how much better it is than the next, and
+    whether it is right or any pose that is worse by less than alike."""
     order = np.lexsort((-score, columns["case"]))
-    starts = np.nonzero(np.r_[True, columns["case"][order][1:] != columns["case"][order][:-1]])
-    starts = starts[0]
+    cases = columns["case"][order]
+    starts = np.nonzero(np.r_[True, cases[1:] != cases[:-1]])[0]
     sizes = np.diff(np.r_[starts, len(order)])
-    seconds = np.where(sizes > 1, order[np.minimum(starts + 1, len(order) - 1)], -1)
-    return order[starts], seconds
+    first = order[starts]
+    following = order[np.minimum(starts + 1, len(order) - 1)]
+    margin = np.where(sizes > 1, score[first] - score[following], np.inf)
+    near = np.repeat(score[first], sizes) - score[order] < alike
+    right = np.logical_or.reduceat(near & (columns["right"][order] > 0), starts)
+    return first, margin, right
 
 
-def equal_kinds(kinds):
-    """Weights that give each kind the same say."""
-    names, index, counts = np.unique(kinds, return_inverse=True, return_counts=True)
-    return (len(kinds) / (len(names) * counts))[index]
+def equal_says(kinds, right):
+    """Weights: each kind has the same say, and right and wrong ones together have."""
+    base = np.char.replace(kinds.astype(str), "other_", "")
+    names, index, counts = np.unique(base, return_inverse=True, return_counts=True)
+    weights = (len(kinds) / (len(names) * counts))[index]
+    for _ in range(20):
+        for of in (right, ~right):
+            weights[of] *= len(kinds) / 2 / weights[of].sum()
+        sums = np.bincount(index, weights)
+        weights *= (len(kinds) / len(names) / sums)[index]
+    return weights
