@@ -37,7 +37,7 @@ FEATURES = {   # name: (sign, function of the columns)
     "free scale": (-1, lambda c: (c["scaling"] != "rigid").astype(float)),
     "score": (1, lambda c: c["score"]),
 }
-USED = ["best worst", "mean consistent", "residual", "reach", "score"]
+USED = ["best worst", "mean consistent", "residual", "score"]
 FARTHEST = 8   # a margin beyond counts as this
 
 
