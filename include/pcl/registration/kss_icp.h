@@ -403,9 +403,10 @@ public:
    * takes x to, c where it takes the mean of the source's finite (indexed) points to,
    * and (r, d, s) of zero mean and this covariance. It comes from the distances to
    * tangent planes and from how much they scatter from patch to patch, which has the
-   * noise of both clouds in it. It is that of the listed pose alone: where isAmbiguous(), others
-   * are as good. Along directions that the surfaces do not determine (see
-   * getUndeterminedDirections()) the clouds' own size is the standard deviation.
+   * noise of both clouds in it. It is that of the listed pose alone: where
+   * isAmbiguous(), others are as good. Along directions that the surfaces do not
+   * determine (see getUndeterminedDirections()) the clouds' own size is the standard
+   * deviation.
    * \return 6 x 6, or 7 x 7 where the scale has been estimated rather than taken for
    * the guess's or 1; empty where nothing is known: without a result, with a
    * transformation estimation of the user's own, and where the final ICP has not found
