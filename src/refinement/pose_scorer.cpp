@@ -26,7 +26,7 @@ poseOf(const Eigen::Matrix4d& transformation, const ShapePair& shapes)
          Similarity::of(transformation) * shapes.source.simplified.T_cloud_shape();
 }
 
-/** The normals of a shape where it is nearest to positions in its cloud's coordinates. */
+/** The normals of a shape where it is nearest to positions in its cloud's frame. */
 Points
 normalsOf(const Shape& shape, const Eigen::Matrix3Xd& positions)
 {

@@ -34,8 +34,7 @@ struct Result {
    * there is none. */
   std::vector<Pose> poses;
   double scale;
-  /** \brief Of the first pose, see KSSICP::getCovariance(); empty where it is not known.
-   */
+  /** \brief Of the first pose, see KSSICP::getCovariance(); empty where not known. */
   Eigen::MatrixXd covariance;
   double scale_deviation;
   /** \brief In how many directions the surfaces leave the first pose undetermined. */

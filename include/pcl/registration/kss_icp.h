@@ -395,21 +395,22 @@ public:
     return kss::isAmbiguous(alternatives_);
   }
 
-  /** \brief Get the covariance of the result: of its rotation, in radians about the axes
-   * of the target's frame, of the place of the source's centroid, in the unit of the
-   * target, and, where the scale is estimated, of the logarithm of the scale.
+  /** \brief Get the covariance of the result: of its rotation, in radians about the
+   * axes of the target's frame, of the place of the source's centroid, in the unit of
+   * the target, and, where the scale is estimated, of the logarithm of the scale.
    *
-   * The true pose is x -> c + d + e^s exp([r]) (x' - c), x' being where the result takes
-   * x to, c where it takes the mean of the source's finite (indexed) points to, and
-   * (r, d, s) of zero mean and this covariance. It comes from the distances to tangent
-   * planes and from how much they scatter from patch to patch, which has the noise of
-   * both clouds in it. It is that of the listed pose alone: where isAmbiguous(), others
-   * are as good. Along directions that the surfaces do not determine (see
-   * getUndeterminedDirections()) the clouds' own size is the standard deviation.
-   * \return 6 x 6, or 7 x 7 where the scale has been estimated rather than taken for the
-   * guess's or 1; empty where nothing is known: without a result, with a transformation
-   * estimation of the user's own, and where the final ICP has not found surfaces or would
-   * have lessened the overlap
+   * The true pose is x -> c + d + e^s exp([r]) (x' - c), x' being where the result
+   * takes x to, c where it takes the mean of the source's finite (indexed) points to,
+   * and (r, d, s) of zero mean and this covariance. It comes from the distances to
+   * tangent planes and from how much they scatter from patch to patch, which has the
+   * noise of both clouds in it. It is that of the listed pose alone: where
+   * isAmbiguous(), others are as good. Along directions that the surfaces do not
+   * determine (see getUndeterminedDirections()) the clouds' own size is the standard
+   * deviation.
+   * \return 6 x 6, or 7 x 7 where the scale has been estimated rather than taken for
+   * the guess's or 1; empty where nothing is known: without a result, with a
+   * transformation estimation of the user's own, and where the final ICP has not found
+   * surfaces or would have lessened the overlap
    */
   Eigen::MatrixXd
   getCovariance() const

@@ -54,15 +54,15 @@ public:
   double
   spacingAt(const Eigen::Matrix4d& transformation) const;
 
-  /** \brief Unit normals of the source's surface, of either sign, where it is nearest to
-   * positions.
+  /** \brief Unit normals of the source's surface where it is nearest to positions;
+   * their signs mean something only where both clouds have sides.
    * \param[in] positions in the coordinates of the source
    */
   Points
   sourceNormals(const Eigen::Matrix3Xd& positions) const;
 
-  /** \brief Unit normals of the target's surface, of either sign, where it is nearest to
-   * positions.
+  /** \brief Unit normals of the target's surface where it is nearest to positions;
+   * their signs mean something only where both clouds have sides.
    * \param[in] positions in the coordinates of the target
    */
   Points
