@@ -64,8 +64,8 @@ noiseAbout(const Points& points,
   inParallel(points.cols(), threads, 500, [&](Eigen::Index i) {
     float off[plane_neighbours];
     for (Eigen::Index n = 0; n < k; ++n)
-      off[n] = std::abs(normals.col(i).dot(
-          points.col(neighbourhoods.indices(n, i)) - points.col(i)));
+      off[n] = std::abs(
+          normals.col(i).dot(points.col(neighbourhoods.indices(n, i)) - points.col(i)));
     std::nth_element(off, off + near_neighbours - 1, off + k);
     noise[i] = off[near_neighbours - 1];
   });

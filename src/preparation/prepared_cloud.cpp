@@ -4,6 +4,7 @@
 
 #include "preparation/prepared_cloud.h"
 
+#include "geometry/median.h"
 #include "geometry/take.h"
 #include "preparation/cleaning.h"
 #include "preparation/given_normals.h"
@@ -57,8 +58,8 @@ prepared(const LocalCloud& cloud, const Settings& settings)
   prepared.dense = static_cast<std::size_t>(cloud.points.cols()) <= most_points
                        ? prepared.surface
                        : surfaceOf(cloud.points, most_dense_points, settings);
-  prepared.normals = normalsOf(prepared.dense.points, prepared.dense.neighbourhoods,
-                               settings.threads);
+  prepared.normals =
+      normalsOf(prepared.dense.points, prepared.dense.neighbourhoods, settings.threads);
   prepared.has_sides = takeGivenNormals(cloud, prepared.dense, prepared.normals);
   prepared.noise = noiseAbout(prepared.dense.points, prepared.dense.neighbourhoods,
                               prepared.normals, settings.threads);
@@ -77,8 +78,8 @@ averageNoise(PreparedCloud& source, PreparedCloud& target, const Settings& setti
     cloud->dense = cloud->surface;
     cloud->normals =
         normalsOf(cloud->dense.points, cloud->dense.neighbourhoods, settings.threads);
-    cloud->noise = noiseAbout(cloud->dense.points, cloud->dense.neighbourhoods,
-                              cloud->normals, settings.threads);
+    // the means of two noisy samplings lie about that far off each other's planes
+    cloud->noise = 0.5f * median(spacingOf(cloud->dense.neighbourhoods));
     cloud->has_sides = false;
     cloud->order = orderOf(cloud->surface.points, settings);
   }

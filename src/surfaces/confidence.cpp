@@ -11,6 +11,22 @@ namespace pcl {
 namespace kss {
 namespace {
 
+// fitted by evaluation/confidence/fit.py on the cases made there; see docs/confidence.md
+constexpr double odds_constant = 1.158;
+constexpr double odds_of_worst = 1.090;
+constexpr double odds_of_consistent = 1.276;
+constexpr double odds_of_residual = -0.979;
+constexpr double odds_of_score = 2.356;
+constexpr double confidence_constant = -0.666;
+constexpr double confidence_of_odds = 0.939;
+constexpr double confidence_of_margin = 0.734;
+
+/** Shares and residuals beyond which a logarithm, or more of them, says nothing. */
+constexpr double least_worst = 0.005;
+constexpr double least_consistent = 0.02;
+constexpr double most_residual = 3.0;
+constexpr double most_margin = 8.0;
+
 /** Poses whose log odds differ by less are about equally good: two samplings of one
  * symmetric shape differ by less. */
 constexpr double equally_good = 0.7;
@@ -23,20 +39,32 @@ constexpr double complete = 0.9;
 double
 logOddsOf(const Alternative& alternative)
 {
-  const Evidence& evidence = alternative.evidence;
-  const auto [worst, best] = std::minmax(evidence.source.worst, evidence.target.worst);
-  const double consistent =
-      std::min(evidence.source.consistent, evidence.target.consistent);
-  return 4.535 + 1.376 * std::log(best + 0.005) + 0.331 * std::log(worst + 0.01) +
-         0.678 * std::log(consistent + 0.02) - 2.705 * std::min(evidence.residual, 3.0) -
-         0.413 * std::log(evidence.reach + 1e-3) +
-         1.0 * (alternative.overlap.score - 0.8);
+  const auto& [source, target, residual, noise, reach] = alternative.evidence;
+  return odds_constant +
+         odds_of_worst * std::log(std::max(source.worst, target.worst) + least_worst) +
+         odds_of_consistent *
+             std::log((source.consistent + least_consistent) *
+                      (target.consistent + least_consistent)) /
+             2.0 +
+         odds_of_residual * std::min(residual, most_residual) +
+         odds_of_score * alternative.overlap.score;
 }
 
 double
-confidenceOf(const Alternative& alternative)
+confidenceOf(const Alternatives& alternatives)
 {
-  return 1.0 / (1.0 + std::exp(-logOddsOf(alternative)));
+  if (alternatives.empty())
+    return 0.0;
+  const double odds = logOddsOf(alternatives[0]);
+  const double margin = alternatives.size() > 1
+                            ? std::abs(odds - logOddsOf(alternatives[1]))
+                            : most_margin;
+  const double all = confidence_constant + confidence_of_odds * odds +
+                     confidence_of_margin * std::log1p(std::min(margin, most_margin));
+  // no more than so many witnesses can say: Laplace's rule of succession
+  const Evidence& evidence = alternatives[0].evidence;
+  const double witnesses = std::min(evidence.source.points, evidence.target.points);
+  return std::min(1.0 / (1.0 + std::exp(-all)), (witnesses + 1.0) / (witnesses + 2.0));
 }
 
 bool

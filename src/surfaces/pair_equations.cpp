@@ -141,10 +141,10 @@ normalEquationsAt(const PairEquations& equations,
   std::vector<double> absolute(residuals.size());
   for (Eigen::Index i = 0; i < residuals.size(); ++i)
     absolute[i] = std::abs(residuals[i]);
-  const double spread = std::max(settings.has_skins
-                                     ? quantileOf(absolute, 0.25) / gaussian_quarter
-                                     : medianOf(absolute) / gaussian_median,
-                                 rounding_error);
+  const double spread =
+      std::max(settings.has_skins ? quantileOf(absolute, 0.25) / gaussian_quarter
+                                  : medianOf(absolute) / gaussian_median,
+               rounding_error);
   const double width = std::max(biweight_width * spread, 1e-300);
   NormalEquations normal;
   normal.pulls.resize(residuals.size());

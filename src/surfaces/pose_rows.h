@@ -26,9 +26,9 @@ constexpr float near_spacings = 2.5f;
  * normal distribution is farther. */
 constexpr float within_noise = 2.5f;
 
-/** \brief Noise, in spacings, below which planes of a dozen neighbours cannot be trusted.
- */
-constexpr float least_noise = 0.05f;
+/** \brief Noise, in spacings, below which planes of a dozen neighbours cannot be trusted:
+ * what a surface bends within them, and what scanners distort. */
+constexpr float least_noise = 0.1f;
 
 /** \brief Cosine of the angle between normals that agree. */
 constexpr float agreeing = 0.8f;
@@ -146,8 +146,7 @@ explanationOf(const OrientedPoints& to,
   found.is_near = true;
   const Eigen::Vector3f to_normal = to.normals.col(other);
   const float cosine = from.normal(i).dot(to_normal);
-  const float agreement =
-      from.hasSides() && to.has_sides ? cosine : std::abs(cosine);
+  const float agreement = from.hasSides() && to.has_sides ? cosine : std::abs(cosine);
   const float off = std::abs(to_normal.dot(point - to.points->points().col(other)));
   found.off = off / std::max(noise, least_noise * spacing);
   found.is_explained = agreement >= agreeing && found.off <= within_noise;

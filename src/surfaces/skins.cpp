@@ -104,8 +104,7 @@ moved(const Similarity& pose, const PlacedSurface& placed, const Eigen::VectorXf
         Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
   if (by.size() > 6)
     move.scale = std::exp(by[6] / placed.radius());
-  move.translation =
-      center - move.linear() * center + by.head<3>().cast<double>();
+  move.translation = center - move.linear() * center + by.head<3>().cast<double>();
   return move * pose;
 }
 
@@ -125,8 +124,8 @@ skinBeside(const OrientedPoints& source,
   const float spacing = std::max(scale * median(source.points->spacing()),
                                  median(target.points->spacing()));
   const float reach = near_spacings * spacing;
-  const float step =
-      within_noise * std::max({scale * source.noise, target.noise, least_noise * spacing});
+  const float step = within_noise * std::max({scale * source.noise, target.noise,
+                                              least_noise * spacing});
   const PlacedSurface placed(source, T_target_source);
   const Eigen::MatrixXf directions =
       tellers.directionsAt(T_target_source, scale_is_free ? 7 : 6);

@@ -56,8 +56,7 @@ surfacePrecision(const SurfacePairs& pairs,
   const PairEquations equations = equationsOf(pairs, settings);
   if (!equations.are_usable)
     return precision;
-  const NormalEquations normal =
-      normalEquationsAt(equations, Change::Zero(), settings);
+  const NormalEquations normal = normalEquationsAt(equations, Change::Zero(), settings);
   const int n = settings.smallest_scale < settings.largest_scale ? 7 : 6;
   precision.unknowns = n;
 

@@ -15,6 +15,7 @@
 #include <pcl/registration/kss_icp.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace pcl {
 
@@ -31,17 +32,17 @@ try {
     std::stable_sort(contenders.begin() + 1, contenders.end(), hasMoreOverlap);
   }
   int runs = 0;
-  double best = 0.0, closest = 0.0;
+  double best = -std::numeric_limits<double>::infinity(), closest = 0.0;
   for (Contender& contender : contenders) {
     const double score = contender.alternative.overlap.score;
-    const bool may_be_right = score >= kss::hope * closest;
+    const bool may_be_right = score >= kss::hope * closest && best > kss::hopeless;
     const bool is_doubtful = best < kss::doubtless && runs < kss::most_final_icps;
     if (runs > 0 && !may_be_right && !is_doubtful)
       break;
     const bool is_guess = guess && runs == 0; // which keeps its scale
     contender = finalICP(source, scorer, contender.alternative, !is_guess);
     ++runs;
-    best = std::max(best, kss::confidenceOf(contender.alternative));
+    best = std::max(best, kss::logOddsOf(contender.alternative));
     closest = std::max(closest, contender.alternative.overlap.score);
   }
   std::stable_sort(contenders.begin(), contenders.end(), isMoreLikely);
@@ -101,8 +102,8 @@ KSSICP<PointSource, PointTarget, Scalar>::onSkinBeside(
     const kss::PoseScorer& scorer,
     const Contender& contender)
 {
-  const auto beside = scorer.skinBeside(contender.alternative.transformation,
-                                        settings_.estimate_scale);
+  const auto beside =
+      scorer.skinBeside(contender.alternative.transformation, settings_.estimate_scale);
   if (!beside)
     return contender;
   const Contender settled =

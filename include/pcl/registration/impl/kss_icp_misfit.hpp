@@ -10,28 +10,35 @@
 #include <pcl/registration/kss/detail/similarity.h>
 #include <pcl/registration/kss_icp.h>
 
+#include <cmath>
+
 namespace pcl {
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 std::string
 KSSICP<PointSource, PointTarget, Scalar>::whatWouldFit(double given_scale)
 {
-  // what fits mirrored comes near the target as it is, too
-  if (getOverlap().score < kss::resembling)
-    return "";
-  const auto mirrored = pcl::make_shared<PointCloudSource>();
-  copyIndexedSource(*mirrored);
-  for (PointSource& point : *mirrored) {
-    point.getVector3fMap().x() *= -1.0f;
-    if constexpr (traits::has_normal<PointSource>::value)
-      point.getNormalVector3fMap().x() *= -1.0f;
+  if (getOverlap().score >= kss::resembling) {
+    const auto mirrored = pcl::make_shared<PointCloudSource>();
+    copyIndexedSource(*mirrored);
+    for (PointSource& point : *mirrored) {
+      point.getVector3fMap().x() *= -1.0f;
+      if constexpr (traits::has_normal<PointSource>::value)
+        point.getNormalVector3fMap().x() *= -1.0f;
+    }
+    if (scaleOfFit(mirrored, settings_))
+      return kss::misfitButMirrored();
   }
-  if (scaleOfFit(mirrored, settings_))
-    return kss::misfitButMirrored();
   if (settings_.estimate_scale)
     return "";
   const auto source = pcl::make_shared<PointCloudSource>();
   copyIndexedSource(*source);
+  const auto radiusOf = [](const auto& cloud) {
+    return kss::bulkOf(cloud, kss::finiteIndices(cloud, kss::allIndices(cloud))).radius;
+  };
+  const double ratio = radiusOf(*target_) / (given_scale * radiusOf(*source));
+  if (std::abs(std::log(ratio)) < std::log(kss::same_size))
+    return "";
   kss::Settings any_scale = settings_;
   any_scale.estimate_scale = true;
   const std::optional<double> fitting = scaleOfFit(source, any_scale);

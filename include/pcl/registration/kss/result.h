@@ -55,10 +55,13 @@ struct FarPoints {
 PCL_KSS_ICP_EXPORT double
 logOddsOf(const Alternative& alternative);
 
-/** \brief The probability that two clouds show one object, and that the pose is right
- * or an equivalent one: the logistic function of logOddsOf(). */
+/** \brief The probability that two clouds show one object, and that the first of the
+ * poses, or one about as good, is right: from its odds and how far ahead of the next
+ * distinct pose it is; no closer to 1 than the number of points that are explained
+ * allows. 0 where there is no pose.
+ */
 PCL_KSS_ICP_EXPORT double
-confidenceOf(const Alternative& alternative);
+confidenceOf(const Alternatives& alternatives);
 
 /** \brief Whether chance alone can account for the difference between what the surfaces
  * say of two poses. */

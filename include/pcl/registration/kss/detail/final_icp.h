@@ -15,8 +15,12 @@ namespace kss {
  * cannot tell: those whose overlap's score is at least this share of the best one. */
 constexpr double hope = 0.75;
 
-/** \brief And, unless one of them is as sure as this, so many of the others. */
-constexpr double doubtless = 0.9;
+/** \brief Where none of them has odds that good, as logarithm, no more are tried than are
+ * tried anyway. */
+constexpr double hopeless = -2.0;
+
+/** \brief And, unless the odds of one of them are ten to one, so many of the others. */
+constexpr double doubtless = 2.3; // the logarithm
 constexpr int most_final_icps = 3;
 
 /** \brief How far the logarithm of the scale may be from that of scale 1 for both to
@@ -77,7 +81,11 @@ public:
       this->correspondences_prev_mse_ = std::numeric_limits<double>::max();
     if (Base::hasConverged())
       return true;
-    if (step_ && step_->is_found && step_->squared_errors_moved < at_rest * at_rest) {
+    // at the limit, clouds that moved by less than a standard error are at rest, too
+    const bool is_over = this->convergence_state_ ==
+                         Base::CONVERGENCE_CRITERIA_FAILURE_AFTER_MAX_ITERATIONS;
+    const double most = is_over ? 1.0 : at_rest * at_rest;
+    if (step_ && step_->is_found && step_->squared_errors_moved < most) {
       this->convergence_state_ = Base::CONVERGENCE_CRITERIA_TRANSFORM;
       return true;
     }

@@ -15,6 +15,9 @@ namespace kss {
  * score 0.33 at most, mirror images 0.41 and more. */
 constexpr double resembling = 0.36;
 
+/** \brief Clouds whose sizes are no farther apart than this are in one unit. */
+constexpr double same_size = 1.5;
+
 /** \brief One sentence on a source that fits only as its mirror image. */
 PCL_KSS_ICP_EXPORT std::string
 misfitButMirrored();
