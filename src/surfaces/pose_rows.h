@@ -22,13 +22,13 @@ namespace kss {
  * sampling of the same surface is expected to be found. */
 constexpr float near_spacings = 2.5f;
 
-/** \brief How far off its plane, in standard deviations of the noise: one in eighty of a
- * normal distribution is farther. */
+/** \brief How far off its plane, in standard deviations of the noise: one in eighty of
+ * a normal distribution is farther. */
 constexpr float within_noise = 2.5f;
 
 /** \brief Noise, in spacings, below which planes of a dozen neighbours cannot be trusted:
  * what a surface bends within them, and what scanners distort. */
-constexpr float least_noise = 0.1f;
+constexpr float least_noise = 0.2f;
 
 /** \brief Cosine of the angle between normals that agree. */
 constexpr float agreeing = 0.8f;

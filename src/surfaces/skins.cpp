@@ -20,8 +20,8 @@ namespace {
 /** Points of the source that tell. */
 constexpr Eigen::Index most_tellers = 1000;
 
-/** Where surfaces explain this share of what is near them, there is nothing to look for:
- * two samplings of one surface come to more. */
+/** Where surfaces explain this share of what is near them, there is nothing to look
+ * for: two samplings of one surface come to more. */
 constexpr double well_explained = 0.9;
 
 /** As many times as many explained points are no chance. */

@@ -209,12 +209,12 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(
             .template head<3>());
 
   // an estimation can be singular, and nearest points lead astray where noise is heavy
-  Alternative after = contender;
+  Alternative after;
   if (is_pose)
     after = scorer.scored(final_transformation_.template cast<double>());
   if (!is_pose ||
       after.overlap.score < (1.0 - kss::final_icp_loss) * contender.overlap.score) {
-    after = contender;
+    after = scorer.scored(pose);
     run.transformation = pose.cast<Scalar>();
     run.converged = true;
     run.precision = {};
