@@ -12,14 +12,14 @@ namespace kss {
 namespace {
 
 // fitted by evaluation/confidence/fit.py on the cases made there; see docs/confidence.md
-constexpr double odds_constant = 1.158;
-constexpr double odds_of_worst = 1.090;
-constexpr double odds_of_consistent = 1.276;
-constexpr double odds_of_residual = -0.979;
-constexpr double odds_of_score = 2.356;
-constexpr double confidence_constant = -0.666;
-constexpr double confidence_of_odds = 0.939;
-constexpr double confidence_of_margin = 0.734;
+constexpr double odds_constant = -0.469;
+constexpr double odds_of_worst = 0.951;
+constexpr double odds_of_consistent = 1.569;
+constexpr double odds_of_residual = 0.0;
+constexpr double odds_of_score = 2.973;
+constexpr double confidence_constant = -0.639;
+constexpr double confidence_of_odds = 0.885;
+constexpr double confidence_of_margin = 0.907;
 
 /** Shares and residuals beyond which a logarithm, or more of them, says nothing. */
 constexpr double least_worst = 0.005;

@@ -119,7 +119,7 @@ TEST(KSSICP, HasTheInterfaceOfIterativeClosestPoint)
   EXPECT_TRUE(HasPublicCriteria<KSSICP>::value);
   ICP& as_icp = registration;
   EXPECT_EQ("KSSICP", as_icp.getClassName());
-  EXPECT_EQ(100, registration.getMaximumIterations());
+  EXPECT_EQ(300, registration.getMaximumIterations());
   EXPECT_EQ(1e-5, registration.getEuclideanFitnessEpsilon());
   EXPECT_EQ(0.0, registration.getTransformationEpsilon());
 

@@ -57,7 +57,7 @@ namespace pcl {
  * wants setScaleEstimation(false).
  *
  * <b>Inherited settings</b> govern the final IterativeClosestPoint and keep their
- * meaning, with these defaults of KSSICP's own: at most 100 iterations
+ * meaning, with these defaults of KSSICP's own: at most 300 iterations
  * (setMaximumIterations); a relative change of the mean squared error below 1e-5
  * (setEuclideanFitnessEpsilon), an unchanged transformation (setTransformationEpsilon
  * 0) or a step of less than a tenth of the pose's standard error ends it: all are free

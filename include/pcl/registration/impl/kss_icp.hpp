@@ -24,7 +24,7 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 KSSICP<PointSource, PointTarget, Scalar>::KSSICP()
 {
   reg_name_ = "KSSICP";
-  this->max_iterations_ = 100;
+  this->max_iterations_ = 300;
   this->euclidean_fitness_epsilon_ = 1e-5;
   convergence_criteria_.reset(new kss::FinalICPCriteria<Scalar>(
       nr_iterations_, transformation_, *correspondences_));
