@@ -161,10 +161,7 @@ withoutStrayPoints(const Points& cloud, unsigned int threads)
 bool
 isNoisy(const Points& cloud, unsigned int threads)
 {
-  // the two skins of a wall fill space from afar, and are surfaces from close by
-  return cloud.cols() >= 4 * small &&
-         usualVariation(quarterOf(cloud), threads) > heavy &&
-         usualVariation(cloud, threads) > heavy;
+  return cloud.cols() >= 4 * small && usualVariation(quarterOf(cloud), threads) > heavy;
 }
 
 void

@@ -66,12 +66,10 @@ read(const std::string& path, bool quiet)
 }
 
 /** The points that stand for a file's contents. */
-SurfacePoints
+Points
 pointsOf(const Geometry& geometry, std::size_t samples)
 {
-  if (!geometry.faces.empty())
-    return sampleMesh(geometry, samples);
-  return {positionsOf(geometry), normalsOf(geometry)};
+  return geometry.faces.empty() ? positionsOf(geometry) : sampleMesh(geometry, samples);
 }
 
 Result

@@ -15,22 +15,18 @@
 namespace tool {
 namespace {
 
-/** The finite points as floats, which PCL's point types hold, in a local frame; zeros
- * for normals that are not known. */
-template <typename PointT>
-typename pcl::PointCloud<PointT>::Ptr
-localCloud(const SurfacePoints& points, const Eigen::Vector3d& origin)
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Registration = pcl::KSSICP<pcl::PointXYZ, pcl::PointXYZ, double>;
+
+/** The finite points as floats, which PCL's point types hold, in a local frame. */
+Cloud::Ptr
+localCloud(const Points& points, const Eigen::Vector3d& origin)
 {
-  auto cloud = pcl::make_shared<pcl::PointCloud<PointT>>();
-  for (std::size_t i = 0; i < points.positions.size(); ++i) {
-    PointT point;
-    point.getVector3fMap() = (points.positions[i] - origin).template cast<float>();
-    if (!point.getVector3fMap().allFinite())
-      continue;
-    if constexpr (pcl::traits::has_normal<PointT>::value)
-      if (!points.normals.empty())
-        point.getNormalVector3fMap() = points.normals[i].template cast<float>();
-    cloud->push_back(point);
+  auto cloud = pcl::make_shared<Cloud>();
+  for (const auto& point : points) {
+    const Eigen::Vector3f local = (point - origin).cast<float>();
+    if (local.allFinite())
+      cloud->push_back({local.x(), local.y(), local.z()});
   }
   return cloud;
 }
@@ -42,29 +38,29 @@ finite(const Points& points)
                        [](const Eigen::Vector3d& point) { return point.allFinite(); });
 }
 
-/** registerClouds() with points of a type. */
-template <typename PointT>
+} // namespace
+
 Result
-registerAs(const SurfacePoints& source,
-           const SurfacePoints& target,
-           const pcl::kss::Settings& settings,
-           int iterations)
+registerClouds(const Points& source,
+               const Points& target,
+               const pcl::kss::Settings& settings,
+               int iterations)
 {
   const auto start = std::chrono::steady_clock::now();
   const Eigen::Vector3d source_origin =
-      pcl::kss::naming("source", [&] { return localOrigin(source.positions); });
+      pcl::kss::naming("source", [&] { return localOrigin(source); });
   const Eigen::Vector3d target_origin =
-      pcl::kss::naming("target", [&] { return localOrigin(target.positions); });
+      pcl::kss::naming("target", [&] { return localOrigin(target); });
 
-  pcl::KSSICP<PointT, PointT, double> registration;
+  Registration registration;
   registration.setSettings(settings);
   if (iterations > 0)
     registration.setMaximumIterations(iterations);
-  const auto source_cloud = localCloud<PointT>(source, source_origin);
-  const auto target_cloud = localCloud<PointT>(target, target_origin);
+  const Cloud::Ptr source_cloud = localCloud(source, source_origin);
+  const Cloud::Ptr target_cloud = localCloud(target, target_origin);
   registration.setInputSource(source_cloud);
   registration.setInputTarget(target_cloud);
-  pcl::PointCloud<PointT> aligned;
+  Cloud aligned;
   registration.align(aligned);
 
   Result result;
@@ -74,11 +70,8 @@ registerAs(const SurfacePoints& source,
   for (const auto& pose : registration.getAlternatives())
     result.poses.push_back(
         {fromLocalFrames(pose.transformation, source_origin, target_origin),
-         pose.overlap, pose.evidence});
+         pose.overlap});
   result.scale = registration.getScale();
-  result.covariance = registration.getCovariance();
-  result.scale_deviation = registration.getScaleDeviation();
-  result.undetermined = registration.getUndeterminedDirections();
   result.confidence = registration.getConfidence();
   result.ambiguous = registration.isAmbiguous();
   result.mode = registration.getFoundMode();
@@ -86,27 +79,14 @@ registerAs(const SurfacePoints& source,
   result.fitness = registration.getFitnessScore();
   // those that floats cannot hold are farther away still
   const auto far = registration.getNumberOfFarPoints();
-  result.far_points = {far.source + finite(source.positions) - source_cloud->size(),
-                       far.target + finite(target.positions) - target_cloud->size()};
+  result.far_points = {far.source + finite(source) - source_cloud->size(),
+                       far.target + finite(target) - target_cloud->size()};
   result.device = registration.getDeviceName();
   result.stages = registration.getStageSeconds();
   const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - start;
   result.seconds = seconds.count();
   return result;
-}
-
-} // namespace
-
-Result
-registerClouds(const SurfacePoints& source,
-               const SurfacePoints& target,
-               const pcl::kss::Settings& settings,
-               int iterations)
-{
-  return source.normals.empty() && target.normals.empty()
-             ? registerAs<pcl::PointXYZ>(source, target, settings, iterations)
-             : registerAs<pcl::PointNormal>(source, target, settings, iterations);
 }
 
 } // namespace tool

@@ -4,8 +4,6 @@
 
 #include "mesh_sampling.h"
 
-#include "mesh_orientation.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -54,22 +52,17 @@ MeshSampler::draw(std::mt19937_64& generator) const
           (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized()};
 }
 
-SurfacePoints
+Points
 sampleMesh(const Geometry& mesh, std::size_t number)
 {
-  Geometry outwards = mesh;
-  turnOutwards(outwards);
-  const MeshSampler sampler(outwards);
+  const MeshSampler sampler(mesh);
   if (!(sampler.area() > 0.0))
-    return {positionsOf(mesh), normalsOf(mesh)};
+    return positionsOf(mesh);
 
   std::mt19937_64 generator(0);
-  SurfacePoints samples;
-  for (std::size_t i = 0; i < number; ++i) {
-    const SurfacePoint sample = sampler.draw(generator);
-    samples.positions.push_back(sample.position);
-    samples.normals.push_back(sample.normal);
-  }
+  Points samples(number);
+  for (auto& sample : samples)
+    sample = sampler.draw(generator).position;
   return samples;
 }
 
