@@ -112,8 +112,9 @@ Alignment::align(const LocalCloud& source,
   const Similarity T_shape_source = shapes->source.simplified.T_cloud_shape().inverse();
   Alternatives alternatives;
   for (const auto& [pose, overlap] : refined(minima, *shapes, search, settings, done))
+    // what surfaces say is asked where the final ICP has laid them on each other
     alternatives.push_back(
-        {(T_target_shape * pose * T_shape_source).matrix(), overlap});
+        {(T_target_shape * pose * T_shape_source).matrix(), overlap, {}});
   stages.end();
   return {alternatives, PoseScorer(shapes)};
 }

@@ -161,7 +161,10 @@ withoutStrayPoints(const Points& cloud, unsigned int threads)
 bool
 isNoisy(const Points& cloud, unsigned int threads)
 {
-  return cloud.cols() >= 4 * small && usualVariation(quarterOf(cloud), threads) > heavy;
+  // the two skins of a wall fill space from afar, and are surfaces from close by
+  return cloud.cols() >= 4 * small &&
+         usualVariation(quarterOf(cloud), threads) > heavy &&
+         usualVariation(cloud, threads) > heavy;
 }
 
 void

@@ -8,7 +8,9 @@
 
 #include "geometry/neighbourhoods.h"
 #include "support/short_text.h"
+#include "support/units.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace pcl {
@@ -46,12 +48,15 @@ throwIfUndetermined(const CloudSize& source, const CloudSize& target, double sca
     std::swap(large, small);
     std::swap(larger, smaller);
   }
+  // a box changes with the way a cloud is turned, and would name no unit
+  const double radii = scale * source.radius / target.radius;
   throw std::invalid_argument(
       (scale == 1.0 ? "The " : "At the scale " + shortText(scale) + ", the ") + large +
       " is " + shortText(larger / smaller) + " times as large as the " + small + " (" +
       shortText(larger) + " against " + shortText(smaller) +
-      "), too large for a pose to be told: is one of them in another unit, such as "
-      "millimetres, or the scale to be estimated?");
+      "), too large for a pose to be told: " +
+      questionOfUnits(large, small, std::max(radii, 1.0 / radii)) +
+      ", or is the scale to be estimated?");
 }
 
 } // namespace kss

@@ -35,6 +35,7 @@ Preparation::bringUpToDate(std::shared_ptr<const PreparedCloud>& kept,
                            const LocalCloud& cloud)
 {
   if (!kept || !areEqual(kept->input.points, cloud.points) ||
+      !areEqual(kept->input.normals, cloud.normals) ||
       kept->input.origin != cloud.origin)
     kept = std::make_shared<PreparedCloud>(kss::prepared(cloud, settings_));
 }

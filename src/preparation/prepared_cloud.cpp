@@ -4,8 +4,10 @@
 
 #include "preparation/prepared_cloud.h"
 
+#include "geometry/median.h"
 #include "geometry/take.h"
 #include "preparation/cleaning.h"
+#include "preparation/given_normals.h"
 #include "preparation/simplification.h"
 
 #include <algorithm>
@@ -18,8 +20,21 @@ namespace {
 /** Points of a cloud that take part in refinement and judgement at most. */
 constexpr std::size_t most_points = 12000;
 
+/** Points of a cloud that judge poses at most. */
+constexpr std::size_t most_dense_points = 100000;
+
 /** Means of a noisy cloud. */
 constexpr unsigned int most_means = 2500;
+
+/** So many points of a cloud at most, clean where the settings want that. */
+Surface
+surfaceOf(const Points& cloud, std::size_t most, const Settings& settings)
+{
+  const Points points = withoutCopies(thinned(cloud, most));
+  if (settings.clean)
+    return withoutStrayPoints(points, settings.threads);
+  return {points, neighbourhoodsOf(points, known_neighbours, settings.threads)};
+}
 
 FarthestOrder
 orderOf(const Points& points, const Settings& settings)
@@ -37,14 +52,17 @@ prepared(const LocalCloud& cloud, const Settings& settings)
 {
   PreparedCloud prepared;
   prepared.input = cloud;
-  const Points points = withoutCopies(thinned(cloud.points, most_points));
-  if (settings.clean) {
-    prepared.surface = withoutStrayPoints(points, settings.threads);
-    prepared.is_noisy = isNoisy(prepared.surface.points, settings.threads);
-  }
-  else
-    prepared.surface = {points,
-                        neighbourhoodsOf(points, known_neighbours, settings.threads)};
+  prepared.surface = surfaceOf(cloud.points, most_points, settings);
+  prepared.is_noisy =
+      settings.clean && isNoisy(prepared.surface.points, settings.threads);
+  prepared.dense = static_cast<std::size_t>(cloud.points.cols()) <= most_points
+                       ? prepared.surface
+                       : surfaceOf(cloud.points, most_dense_points, settings);
+  prepared.normals =
+      normalsOf(prepared.dense.points, prepared.dense.neighbourhoods, settings.threads);
+  prepared.has_sides = takeGivenNormals(cloud, prepared.dense, prepared.normals);
+  prepared.noise = noiseAbout(prepared.dense.points, prepared.dense.neighbourhoods,
+                              prepared.normals, settings.threads);
   prepared.order = orderOf(prepared.surface.points, settings);
   return prepared;
 }
@@ -57,6 +75,12 @@ averageNoise(PreparedCloud& source, PreparedCloud& target, const Settings& setti
   for (PreparedCloud* cloud : {&source, &target}) {
     cloud->surface.neighbourhoods =
         neighbourhoodsOf(cloud->surface.points, known_neighbours, settings.threads);
+    cloud->dense = cloud->surface;
+    cloud->normals =
+        normalsOf(cloud->dense.points, cloud->dense.neighbourhoods, settings.threads);
+    // the means of two noisy samplings lie about that far off each other's planes
+    cloud->noise = 0.5f * median(spacingOf(cloud->dense.neighbourhoods));
+    cloud->has_sides = false;
     cloud->order = orderOf(cloud->surface.points, settings);
   }
 }

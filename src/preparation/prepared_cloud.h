@@ -8,6 +8,7 @@
 #include <pcl/registration/kss/settings.h>
 
 #include "geometry/neighbourhoods.h"
+#include "geometry/normals.h"
 #include "preparation/farthest_points.h"
 
 namespace pcl {
@@ -19,6 +20,11 @@ struct PreparedCloud {
   LocalCloud input;
   /** \brief Its points, clean, and no more than refinement and judgement need. */
   Surface surface;
+  /** \brief The same, as dense as the cloud is: what judges poses. */
+  Surface dense;
+  Points normals;         ///< of \ref dense, a column per point
+  bool has_sides = false; ///< whether their signs tell which side is outside
+  float noise = 0.0f;     ///< of \ref dense, see noiseAbout()
   /** \brief As many of them in farthest order as the simplification may need. */
   FarthestOrder order;
   /** \brief Whether heavy noise has to be averaged away. */

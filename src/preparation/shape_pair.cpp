@@ -31,18 +31,44 @@ sizeOf(const PreparedCloud& cloud, const PreShape& simplified)
           median(spacingOf(cloud.surface.neighbourhoods))};
 }
 
-/** The whole cloud in the frame of its simplified points. */
+/** Points in the frame of the simplified ones. */
 std::shared_ptr<const NearestPoints>
-allOf(const PreparedCloud& cloud, const PreShape& simplified, const Shape* before)
+inFrameOf(const PreShape& simplified,
+          const Eigen::Vector3d& origin,
+          const Surface& cloud,
+          const std::shared_ptr<const NearestPoints>& before)
 {
-  const Eigen::Vector3f center = (simplified.center - cloud.input.origin).cast<float>();
+  const Eigen::Vector3f center = (simplified.center - origin).cast<float>();
   const auto size = static_cast<float>(simplified.size);
-  const Neighbourhoods& neighbourhoods = cloud.surface.neighbourhoods;
-  const Surface surface{(cloud.surface.points.colwise() - center) / size,
-                        {neighbourhoods.indices, neighbourhoods.distances / size}};
-  if (before && areEqual(before->all->points(), surface.points))
-    return before->all;
+  const Surface surface{
+      (cloud.points.colwise() - center) / size,
+      {cloud.neighbourhoods.indices, cloud.neighbourhoods.distances / size}};
+  if (before && areEqual(before->points(), surface.points))
+    return before;
   return std::make_shared<NearestPoints>(surface);
+}
+
+/** A prepared cloud in pre-shape space.
+ * \param[in] before what may be kept of it; null: nothing */
+Shape
+shapeOf(const PreShape& simplified,
+        const PreparedCloud& cloud,
+        const CloudSize& extent,
+        const Shape* before)
+{
+  const auto place = [&](const Surface& surface, const auto& known) {
+    return inFrameOf(simplified, cloud.input.origin, surface, known);
+  };
+  Shape shape{simplified, nullptr, {}, extent};
+  shape.all = place(cloud.surface, before ? before->all : nullptr);
+  shape.surface.points =
+      areEqual(cloud.dense.points, cloud.surface.points)
+          ? shape.all
+          : place(cloud.dense, before ? before->surface.points : nullptr);
+  shape.surface.normals = cloud.normals;
+  shape.surface.has_sides = cloud.has_sides;
+  shape.surface.noise = cloud.noise / static_cast<float>(simplified.size);
+  return shape;
 }
 
 ScaleRange
@@ -82,15 +108,11 @@ shapePair(const PreparedPair& clouds,
     throwIfUndetermined(source_size, target_size, *guessed_scale);
   if (!settings.estimate_scale)
     source = withSize(source, target.size / known_scale);
-  const auto allOfSource =
-      allOf(*clouds.source, source, before ? &before->source : nullptr);
-  const auto allOfTarget =
-      allOf(*clouds.target, target, before ? &before->target : nullptr);
-  return std::make_shared<ShapePair>(ShapePair{{source, allOfSource, source_size},
-                                               {target, allOfTarget, target_size},
-                                               PoseMetric(source.points),
-                                               scalesBetween(source, target, settings),
-                                               clouds.is_noisy});
+  return std::make_shared<ShapePair>(ShapePair{
+      shapeOf(source, *clouds.source, source_size, before ? &before->source : nullptr),
+      shapeOf(target, *clouds.target, target_size, before ? &before->target : nullptr),
+      PoseMetric(source.points), scalesBetween(source, target, settings),
+      clouds.is_noisy});
 }
 
 } // namespace kss

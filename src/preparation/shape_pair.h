@@ -7,6 +7,7 @@
 #include <pcl/registration/kss/settings.h>
 
 #include "geometry/nearest_points.h"
+#include "geometry/oriented_points.h"
 #include "geometry/pose_metric.h"
 #include "geometry/pre_shape.h"
 #include "geometry/scale_range.h"
@@ -25,6 +26,8 @@ struct Shape {
   PreShape simplified;
   /** \brief As it is, clean, no larger than needed, for refinement and judgement. */
   std::shared_ptr<const NearestPoints> all;
+  /** \brief The same with normals, which tell right poses from wrong ones. */
+  OrientedPoints surface;
   /** \brief What tells whether it determines a pose, in the units of the cloud. */
   CloudSize extent;
 };

@@ -8,8 +8,11 @@
 #include "geometry/median.h"
 #include "preparation/shape_pair.h"
 #include "refinement/overlap.h"
+#include "surfaces/evidence.h"
+#include "surfaces/skins.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl {
 namespace kss {
@@ -21,6 +24,32 @@ poseOf(const Eigen::Matrix4d& transformation, const ShapePair& shapes)
 {
   return shapes.target.simplified.T_cloud_shape().inverse() *
          Similarity::of(transformation) * shapes.source.simplified.T_cloud_shape();
+}
+
+/** The normals of a shape where it is nearest to positions in its cloud's frame. */
+Points
+normalsOf(const Shape& shape, const Eigen::Matrix3Xd& positions)
+{
+  const Similarity T_shape_cloud = shape.simplified.T_cloud_shape().inverse();
+  Points normals(3, positions.cols());
+  for (Eigen::Index i = 0; i < positions.cols(); ++i) {
+    const Eigen::Vector3d placed =
+        T_shape_cloud.linear() * positions.col(i) + T_shape_cloud.translation;
+    float squared_distance;
+    normals.col(i) = shape.surface.normals.col(
+        shape.surface.points->nearest(placed.cast<float>(), squared_distance));
+  }
+  return normals;
+}
+
+/** Of a plane through a dozen points whose noise is known: they lie a spacing off its
+ * axes, root mean square, and it can be off about both. */
+double
+normalErrorOf(const Shape& shape)
+{
+  constexpr double points = 13.0;
+  return shape.surface.noise / median(shape.surface.points->spacing()) *
+         std::sqrt(2.0 / points);
 }
 
 } // namespace
@@ -36,15 +65,38 @@ PoseScorer::scored(const Eigen::Matrix4d& transformation) const
   if (!isSimilarity(transformation) ||
       !isDetermined(shapes_->source.extent, shapes_->target.extent,
                     scaleOf(transformation)))
-    return {transformation, {}};
-  return {transformation, overlapAt(*shapes_->source.all, *shapes_->target.all,
-                                    poseOf(transformation, *shapes_))};
+    return {transformation, {}, {}};
+  const Similarity pose = poseOf(transformation, *shapes_);
+  return {transformation, overlapAt(*shapes_->source.all, *shapes_->target.all, pose),
+          evidenceAt(shapes_->source.surface, shapes_->target.surface, pose,
+                     shapes_->scales.smallest < shapes_->scales.largest)};
 }
 
 bool
 PoseScorer::areSame(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const
 {
-  return shapes_->metric.distance(poseOf(a, *shapes_), poseOf(b, *shapes_)) < same_pose;
+  return distance(a, b) < same_pose;
+}
+
+double
+PoseScorer::distance(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const
+{
+  return shapes_->metric.distance(poseOf(a, *shapes_), poseOf(b, *shapes_));
+}
+
+std::optional<Eigen::Matrix4d>
+PoseScorer::skinBeside(const Eigen::Matrix4d& transformation, bool scale_is_free) const
+{
+  if (shapes_->is_noisy)
+    return {};
+  const std::optional<Similarity> pose =
+      kss::skinBeside(shapes_->source.surface, shapes_->target.surface,
+                      poseOf(transformation, *shapes_), scale_is_free);
+  if (!pose)
+    return {};
+  return (shapes_->target.simplified.T_cloud_shape() * *pose *
+          shapes_->source.simplified.T_cloud_shape().inverse())
+      .matrix();
 }
 
 double
@@ -54,6 +106,30 @@ PoseScorer::spacingAt(const Eigen::Matrix4d& transformation) const
                       median(shapes_->source.all->spacing()),
                   shapes_->target.simplified.size *
                       median(shapes_->target.all->spacing()));
+}
+
+Points
+PoseScorer::sourceNormals(const Eigen::Matrix3Xd& positions) const
+{
+  return normalsOf(shapes_->source, positions);
+}
+
+Points
+PoseScorer::targetNormals(const Eigen::Matrix3Xd& positions) const
+{
+  return normalsOf(shapes_->target, positions);
+}
+
+double
+PoseScorer::sourceNormalError() const
+{
+  return normalErrorOf(shapes_->source);
+}
+
+double
+PoseScorer::targetNormalError() const
+{
+  return normalErrorOf(shapes_->target);
 }
 
 } // namespace kss

@@ -22,7 +22,9 @@ ARROWS = {
     "src/opencl": ["src/support"],
     "src/evaluators": ["src/candidates", "src/geometry", "src/opencl", "src/support"],
     "src/search": ["src/evaluators", "src/candidates", "src/geometry", "src/support"],
-    "src/refinement": ["src/preparation", "src/geometry", "src/support"],
+    "src/surfaces": ["src/geometry", "src/support"],
+    "src/refinement": ["src/surfaces", "src/preparation", "src/geometry",
+                       "src/support"],
     # where all of them meet
     "src": ["src/refinement", "src/search", "src/candidates", "src/preparation",
             "src/geometry", "src/support"],

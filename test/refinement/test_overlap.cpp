@@ -125,56 +125,12 @@ TEST(Overlap, CannotBeBoughtWithScale)
   EXPECT_LT(overlapOf(a, b, speck).score, overlapOf(a, b).score);
 }
 
-TEST(Confidence, RisesWithTheScore)
-{
-  double before = 0.0;
-  for (double score = 0.0; score <= 2.0; score += 0.05) {
-    const double confidence = confidenceOf({0.5, 0.5, score});
-    EXPECT_GT(confidence, before);
-    EXPECT_LE(confidence, 1.0);
-    before = confidence;
-  }
-  EXPECT_LT(confidenceOf({}), 0.001);
-  EXPECT_LT(confidenceOf({0.5, 0.5, 0.43}), 0.1);
-  EXPECT_NEAR(0.5, confidenceOf({0.5, 0.5, 0.55}), 1e-9);
-  EXPECT_GT(confidenceOf({0.5, 0.5, 0.65}), 0.8);
-  EXPECT_GT(confidenceOf({1.0, 1.0, 1.5}), 0.99);
-}
-
-TEST(Ambiguity, IsASecondPoseThatIsAboutAsGood)
-{
-  const auto listed = [](std::initializer_list<double> scores) {
-    Alternatives alternatives;
-    for (const double score : scores)
-      alternatives.push_back({identity, {1.0, 1.0, score}});
-    return alternatives;
-  };
-  EXPECT_FALSE(isAmbiguous({}));
-  EXPECT_FALSE(isAmbiguous(listed({1.5})));
-  EXPECT_TRUE(isAmbiguous(listed({1.5, 1.49})));
-  EXPECT_TRUE(isAmbiguous(listed({1.5, 1.45, 0.2})));
-  EXPECT_FALSE(isAmbiguous(listed({1.5, 1.3})));
-  EXPECT_FALSE(isAmbiguous(listed({1.5, 0.4, 0.4})));
-  // where nothing fits, nothing is ambiguous
-  EXPECT_FALSE(isAmbiguous(listed({0.3, 0.3})));
-}
-
 TEST(Mode, IsWhatTheOverlapSpeaksFor)
 {
   EXPECT_EQ(Mode::GLOBAL_GLOBAL, modeOf({0.99, 0.95, 1.5}));
   EXPECT_EQ(Mode::PARTIAL_GLOBAL, modeOf({0.99, 0.5, 1.1}));
   EXPECT_EQ(Mode::PARTIAL_GLOBAL, modeOf({0.4, 0.97, 1.0}));
   EXPECT_EQ(Mode::PARTIAL_PARTIAL, modeOf({0.6, 0.5, 0.8}));
-}
-
-TEST(Misfit, IsSaidInPercent)
-{
-  EXPECT_NE(
-      std::string::npos,
-      misfitAt({0.0, 0.426, 0.1}).find("0 % of the source and 43 % of the target"));
-  EXPECT_NE(
-      std::string::npos,
-      misfitAt({1.0, 0.42, 0.1}).find("100 % of the source and 42 % of the target"));
 }
 
 } // namespace

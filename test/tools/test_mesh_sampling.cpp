@@ -36,7 +36,7 @@ TEST_F(ToolFiles, SampleMeshesEvenlyByArea)
     mesh.faces.emplace_back();
     mesh.faces.back().vertices = corners;
   }
-  const Points samples = sampleMesh(mesh, 20000);
+  const Points samples = sampleMesh(mesh, 20000).positions;
   ASSERT_EQ(20000u, samples.size());
   std::vector<int> counts(10 * 4 * 4);
   for (const auto& sample : samples) {
@@ -47,7 +47,7 @@ TEST_F(ToolFiles, SampleMeshesEvenlyByArea)
              std::min(3, static_cast<int>(sample.y() * 4))];
   }
   expectEven(counts);
-  EXPECT_EQ(samples, sampleMesh(mesh, 20000));
+  EXPECT_EQ(samples, sampleMesh(mesh, 20000).positions);
 }
 
 TEST_F(ToolFiles, SampleMeshesWithoutArea)
@@ -56,5 +56,6 @@ TEST_F(ToolFiles, SampleMeshesWithoutArea)
   mesh.cloud = cloudOfDoubles({0, 0, 0, 1, 1, 1, 2, 2, 2}, {"x", "y", "z"});
   mesh.faces.emplace_back();
   mesh.faces.back().vertices = {0, 1, 2};
-  expectEqual(positionsOf(mesh), sampleMesh(mesh, 100), 0.0);
+  expectEqual(positionsOf(mesh), sampleMesh(mesh, 100).positions, 0.0);
+  EXPECT_TRUE(sampleMesh(mesh, 100).normals.empty());
 }

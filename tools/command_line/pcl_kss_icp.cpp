@@ -66,10 +66,12 @@ read(const std::string& path, bool quiet)
 }
 
 /** The points that stand for a file's contents. */
-Points
+SurfacePoints
 pointsOf(const Geometry& geometry, std::size_t samples)
 {
-  return geometry.faces.empty() ? positionsOf(geometry) : sampleMesh(geometry, samples);
+  if (!geometry.faces.empty())
+    return sampleMesh(geometry, samples);
+  return {positionsOf(geometry), normalsOf(geometry)};
 }
 
 Result

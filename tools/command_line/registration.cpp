@@ -15,18 +15,22 @@
 namespace tool {
 namespace {
 
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-using Registration = pcl::KSSICP<pcl::PointXYZ, pcl::PointXYZ, double>;
-
-/** The finite points as floats, which PCL's point types hold, in a local frame. */
-Cloud::Ptr
-localCloud(const Points& points, const Eigen::Vector3d& origin)
+/** The finite points as floats, which PCL's point types hold, in a local frame; zeros
+ * for normals that are not known. */
+template <typename PointT>
+typename pcl::PointCloud<PointT>::Ptr
+localCloud(const SurfacePoints& points, const Eigen::Vector3d& origin)
 {
-  auto cloud = pcl::make_shared<Cloud>();
-  for (const auto& point : points) {
-    const Eigen::Vector3f local = (point - origin).cast<float>();
-    if (local.allFinite())
-      cloud->push_back({local.x(), local.y(), local.z()});
+  auto cloud = pcl::make_shared<pcl::PointCloud<PointT>>();
+  for (std::size_t i = 0; i < points.positions.size(); ++i) {
+    PointT point;
+    point.getVector3fMap() = (points.positions[i] - origin).template cast<float>();
+    if (!point.getVector3fMap().allFinite())
+      continue;
+    if constexpr (pcl::traits::has_normal<PointT>::value)
+      if (!points.normals.empty())
+        point.getNormalVector3fMap() = points.normals[i].template cast<float>();
+    cloud->push_back(point);
   }
   return cloud;
 }
@@ -38,29 +42,29 @@ finite(const Points& points)
                        [](const Eigen::Vector3d& point) { return point.allFinite(); });
 }
 
-} // namespace
-
+/** registerClouds() with points of a type. */
+template <typename PointT>
 Result
-registerClouds(const Points& source,
-               const Points& target,
-               const pcl::kss::Settings& settings,
-               int iterations)
+registerAs(const SurfacePoints& source,
+           const SurfacePoints& target,
+           const pcl::kss::Settings& settings,
+           int iterations)
 {
   const auto start = std::chrono::steady_clock::now();
   const Eigen::Vector3d source_origin =
-      pcl::kss::naming("source", [&] { return localOrigin(source); });
+      pcl::kss::naming("source", [&] { return localOrigin(source.positions); });
   const Eigen::Vector3d target_origin =
-      pcl::kss::naming("target", [&] { return localOrigin(target); });
+      pcl::kss::naming("target", [&] { return localOrigin(target.positions); });
 
-  Registration registration;
+  pcl::KSSICP<PointT, PointT, double> registration;
   registration.setSettings(settings);
   if (iterations > 0)
     registration.setMaximumIterations(iterations);
-  const Cloud::Ptr source_cloud = localCloud(source, source_origin);
-  const Cloud::Ptr target_cloud = localCloud(target, target_origin);
+  const auto source_cloud = localCloud<PointT>(source, source_origin);
+  const auto target_cloud = localCloud<PointT>(target, target_origin);
   registration.setInputSource(source_cloud);
   registration.setInputTarget(target_cloud);
-  Cloud aligned;
+  pcl::PointCloud<PointT> aligned;
   registration.align(aligned);
 
   Result result;
@@ -70,8 +74,11 @@ registerClouds(const Points& source,
   for (const auto& pose : registration.getAlternatives())
     result.poses.push_back(
         {fromLocalFrames(pose.transformation, source_origin, target_origin),
-         pose.overlap});
+         pose.overlap, pose.evidence});
   result.scale = registration.getScale();
+  result.covariance = registration.getCovariance();
+  result.scale_deviation = registration.getScaleDeviation();
+  result.undetermined = registration.getUndeterminedDirections();
   result.confidence = registration.getConfidence();
   result.ambiguous = registration.isAmbiguous();
   result.mode = registration.getFoundMode();
@@ -79,14 +86,27 @@ registerClouds(const Points& source,
   result.fitness = registration.getFitnessScore();
   // those that floats cannot hold are farther away still
   const auto far = registration.getNumberOfFarPoints();
-  result.far_points = {far.source + finite(source) - source_cloud->size(),
-                       far.target + finite(target) - target_cloud->size()};
+  result.far_points = {far.source + finite(source.positions) - source_cloud->size(),
+                       far.target + finite(target.positions) - target_cloud->size()};
   result.device = registration.getDeviceName();
   result.stages = registration.getStageSeconds();
   const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - start;
   result.seconds = seconds.count();
   return result;
+}
+
+} // namespace
+
+Result
+registerClouds(const SurfacePoints& source,
+               const SurfacePoints& target,
+               const pcl::kss::Settings& settings,
+               int iterations)
+{
+  return source.normals.empty() && target.normals.empty()
+             ? registerAs<pcl::PointXYZ>(source, target, settings, iterations)
+             : registerAs<pcl::PointNormal>(source, target, settings, iterations);
 }
 
 } // namespace tool

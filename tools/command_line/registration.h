@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "io/geometry.h"
+#include "io/mesh_sampling.h"
 
 #include <pcl/registration/kss/detail/bulk.h>
 #include <pcl/registration/kss/failure.h>
@@ -21,6 +21,7 @@ namespace tool {
 struct Pose {
   Eigen::Matrix4d transformation;
   pcl::kss::Overlap overlap;
+  pcl::kss::Evidence evidence;
 };
 
 /** \brief What a registration found, in the coordinates of the files. */
@@ -33,6 +34,11 @@ struct Result {
    * there is none. */
   std::vector<Pose> poses;
   double scale;
+  /** \brief Of the first pose, see KSSICP::getCovariance(); empty where not known. */
+  Eigen::MatrixXd covariance;
+  double scale_deviation;
+  /** \brief In how many directions the surfaces leave the first pose undetermined. */
+  int undetermined;
   /** \brief How sure it is that the pose is right, in [0, 1]. */
   double confidence;
   /** \brief Whether the second pose is about as good as the first. */
@@ -51,14 +57,14 @@ struct Result {
   double seconds;
 };
 
-/** \brief Register two clouds.
+/** \brief Register two clouds, by their normals, too, where either has some.
  * \param[in] source at least one point finite
  * \param[in] target at least one point finite
  * \param[in] iterations of the final ICP at most; 0: as many as the library allows
  */
 Result
-registerClouds(const Points& source,
-               const Points& target,
+registerClouds(const SurfacePoints& source,
+               const SurfacePoints& target,
                const pcl::kss::Settings& settings,
                int iterations);
 

@@ -26,11 +26,15 @@ percent(double share)
 
 /** A matrix as its rows. */
 nlohmann::json
-toJSON(const Eigen::Matrix4d& matrix)
+toJSON(const Eigen::MatrixXd& matrix)
 {
   auto rows = nlohmann::json::array();
-  for (int i = 0; i < 4; ++i)
-    rows.push_back({matrix(i, 0), matrix(i, 1), matrix(i, 2), matrix(i, 3)});
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    auto row = nlohmann::json::array();
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+      row.push_back(matrix(i, j));
+    rows.push_back(row);
+  }
   return rows;
 }
 
@@ -79,6 +83,26 @@ toJSON(const pcl::kss::Overlap& overlap)
   return {overlap.source, overlap.target};
 }
 
+nlohmann::ordered_json
+toJSON(const pcl::kss::Support& support)
+{
+  return {{"near", support.near},
+          {"explained", support.explained},
+          {"worst", support.worst},
+          {"consistent", support.consistent},
+          {"points", support.points}};
+}
+
+nlohmann::ordered_json
+toJSON(const pcl::kss::Evidence& evidence)
+{
+  return {{"source", toJSON(evidence.source)},
+          {"target", toJSON(evidence.target)},
+          {"residual", evidence.residual},
+          {"noise", evidence.noise},
+          {"reach", evidence.reach}};
+}
+
 } // namespace
 
 std::string
@@ -102,6 +126,9 @@ reportText(const Result& result)
     report["reason"] = result.reason;
   report["transformation"] = nullptr;
   report["scale"] = nullptr;
+  report["scale_deviation"] = nullptr;
+  report["covariance"] = nullptr;
+  report["undetermined"] = nullptr;
   report["mode"] = nullptr;
   report["overlap"] = nullptr;
   report["score"] = nullptr;
@@ -112,6 +139,11 @@ reportText(const Result& result)
   if (!result.poses.empty()) {
     report["transformation"] = toJSON(result.poses.front().transformation);
     report["scale"] = result.scale;
+    if (result.covariance.size() > 0) {
+      report["scale_deviation"] = result.scale_deviation;
+      report["covariance"] = toJSON(result.covariance);
+      report["undetermined"] = result.undetermined;
+    }
     report["mode"] = wordOf<&pcl::kss::Settings::mode>(result.mode);
     report["overlap"] = toJSON(result.poses.front().overlap);
     report["score"] = result.poses.front().overlap.score;
@@ -120,7 +152,8 @@ reportText(const Result& result)
   for (const auto& pose : result.poses)
     report["alternatives"].push_back({{"transformation", toJSON(pose.transformation)},
                                       {"overlap", toJSON(pose.overlap)},
-                                      {"score", pose.overlap.score}});
+                                      {"score", pose.overlap.score},
+                                      {"evidence", toJSON(pose.evidence)}});
   report["far_points"] = {result.far_points.source, result.far_points.target};
   report["search"] = wordOf<&pcl::kss::Settings::search>(result.search);
   report["device"] = result.device;

@@ -23,6 +23,7 @@ add_library(pcl_kss_icp_files STATIC
   ${files_dir}/read_obj.cpp
   ${files_dir}/read_stl.cpp
   ${files_dir}/read_text.cpp
+  ${files_dir}/mesh_orientation.cpp
   ${files_dir}/mesh_sampling.cpp
   ${files_dir}/write_geometry.cpp
   ${files_dir}/write_ply.cpp

@@ -21,17 +21,28 @@ isCoordinate(const pcl::PCLPointField& field)
   return field.name == "x" || field.name == "y" || field.name == "z";
 }
 
+Points
+vectorsOf(const pcl::PCLPointCloud2& cloud, const VectorField& field)
+{
+  Points vectors(numberOfPoints(cloud));
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+    vectors[i] = field.get(&cloud.data[i * cloud.point_step]);
+  return vectors;
+}
+
 } // namespace
 
 Points
 positionsOf(const Geometry& geometry)
 {
-  const auto& cloud = geometry.cloud;
-  const VectorField position(cloud, VectorField::POSITION);
-  Points points(numberOfPoints(cloud));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    points[i] = position.get(&cloud.data[i * cloud.point_step]);
-  return points;
+  return vectorsOf(geometry.cloud, VectorField(geometry.cloud, VectorField::POSITION));
+}
+
+Points
+normalsOf(const Geometry& geometry)
+{
+  const VectorField normal(geometry.cloud, VectorField::NORMAL);
+  return normal.exists() ? vectorsOf(geometry.cloud, normal) : Points();
 }
 
 Eigen::AlignedBox3d

@@ -36,6 +36,12 @@ struct Geometry {
 Points
 positionsOf(const Geometry& geometry);
 
+/** \brief The normals of all points as the file has them, in their order; none where it
+ * has none.
+ */
+Points
+normalsOf(const Geometry& geometry);
+
 /** \brief The box around all finite points; empty where there are none. */
 Eigen::AlignedBox3d
 boundingBox(const Points& points);

@@ -4,6 +4,8 @@
 
 #include "mesh_sampling.h"
 
+#include "mesh_orientation.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -52,17 +54,22 @@ MeshSampler::draw(std::mt19937_64& generator) const
           (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized()};
 }
 
-Points
+SurfacePoints
 sampleMesh(const Geometry& mesh, std::size_t number)
 {
-  const MeshSampler sampler(mesh);
+  Geometry outwards = mesh;
+  turnOutwards(outwards);
+  const MeshSampler sampler(outwards);
   if (!(sampler.area() > 0.0))
-    return positionsOf(mesh);
+    return {positionsOf(mesh), normalsOf(mesh)};
 
   std::mt19937_64 generator(0);
-  Points samples(number);
-  for (auto& sample : samples)
-    sample = sampler.draw(generator).position;
+  SurfacePoints samples;
+  for (std::size_t i = 0; i < number; ++i) {
+    const SurfacePoint sample = sampler.draw(generator);
+    samples.positions.push_back(sample.position);
+    samples.normals.push_back(sample.normal);
+  }
   return samples;
 }
 

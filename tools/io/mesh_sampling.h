@@ -43,13 +43,21 @@ private:
   std::vector<double> area_up_to_;
 };
 
+/** \brief Points of surfaces, and their normals. */
+struct SurfacePoints {
+  Points positions;
+  /** \brief As many; none where they are not known. */
+  Points normals;
+};
+
 /** \brief Spread points over the faces of a mesh, uniformly by area and the same ones
  * at every call.
  * \param[in] mesh any; one without faces has no area
  * \param[in] number of points
- * \return the points; those of the mesh itself where its faces have no area
+ * \return the points, with the normals of their faces, outwards where the mesh is
+ * closed (turnOutwards()); those of the mesh itself where its faces have no area
  */
-Points
+SurfacePoints
 sampleMesh(const Geometry& mesh, std::size_t number);
 
 } // namespace tool

@@ -9,12 +9,14 @@
 #include <pcl/registration/kss/alignment.h>
 #include <pcl/registration/kss/detail/cloud_conversion.h>
 #include <pcl/registration/kss/detail/stopping.h>
+#include <pcl/registration/kss/detail/surface_step.h>
 #include <pcl/registration/kss/devices.h>
 #include <pcl/registration/kss/failure.h>
 #include <pcl/registration/kss/result.h>
 #include <pcl/registration/kss/settings.h>
 #include <pcl/registration/kss/stages.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -57,9 +59,9 @@ namespace pcl {
  * <b>Inherited settings</b> govern the final IterativeClosestPoint and keep their
  * meaning, with these defaults of KSSICP's own: at most 300 iterations
  * (setMaximumIterations); a relative change of the mean squared error below 1e-5
- * (setEuclideanFitnessEpsilon) or an unchanged transformation (setTransformationEpsilon
- * 0) ends it: both are free of units; a run that
- * still moves at the iteration limit has not converged
+ * (setEuclideanFitnessEpsilon), an unchanged transformation (setTransformationEpsilon
+ * 0) or a step of less than a tenth of the pose's standard error ends it: all are free
+ * of units; a run that still moves at the iteration limit has not converged
  * (getConvergeCriteria()->setFailureAfterMaximumIterations(false) restores ICP's
  * reading). Correspondences longer than a few point spacings are left out, since one of
  * the points has no counterpart, unless the mode is GLOBAL_GLOBAL;
@@ -67,7 +69,8 @@ namespace pcl {
  * overlap, under heavy noise, the pose that it started from is the result.
  * setRANSACIterations() and setRANSACOutlierRejectionThreshold() have no effect, as in
  * IterativeClosestPoint. setTransformationEstimation() may change the scale of the
- * result; the default one is rigid and keeps the scale that the search found.
+ * result; the default one lays points on each other's tangent planes
+ * (kss::SurfaceEstimation), with the scale, within its bounds, where that is estimated.
  *
  * <b>What is mended against IterativeClosestPoint of PCL 1.13</b>: indices are
  * respected; normals take the pure rotation; points that are not finite are skipped and
@@ -347,6 +350,15 @@ public:
     return alternatives_.empty() ? kss::Overlap() : alternatives_.front().overlap;
   }
 
+  /** \brief Get how much of what the surfaces of the clouds say about the pose speaks
+   * for the final transformation; zeros before the first align() and after a failure.
+   */
+  kss::Evidence
+  getEvidence() const
+  {
+    return alternatives_.empty() ? kss::Evidence() : alternatives_.front().evidence;
+  }
+
   /** \brief Get how many points the last align() left out since they lie thousands of
    * times as far from the middle of their cloud as half of its points do (kss::Bulk);
    * zeros after a failure. The output has them, transformed as the others.
@@ -370,7 +382,7 @@ public:
   double
   getConfidence() const
   {
-    return kss::confidenceOf(getOverlap());
+    return kss::confidenceOf(alternatives_);
   }
 
   /** \brief Get whether another pose is about as good as the result, as for a symmetric
@@ -380,6 +392,49 @@ public:
   isAmbiguous() const
   {
     return kss::isAmbiguous(alternatives_);
+  }
+
+  /** \brief Get the covariance of the result: of its rotation, in radians about the
+   * axes of the target's frame, of the place of the source's centroid, in the unit of
+   * the target, and, where the scale is estimated, of the logarithm of the scale.
+   *
+   * The true pose is x -> c + d + e^s exp([r]) (x' - c), x' being where the result
+   * takes x to, c where it takes the mean of the source's finite (indexed) points to,
+   * and (r, d, s) of zero mean and this covariance. It comes from the distances to
+   * tangent planes and from how much they scatter from patch to patch, which has the
+   * noise of both clouds in it. It is that of the listed pose alone: where
+   * isAmbiguous(), others are as good. Along directions that the surfaces do not
+   * determine (see getUndeterminedDirections()) the clouds' own size is the standard
+   * deviation.
+   * \return 6 x 6, or 7 x 7 where the scale has been estimated rather than taken for
+   * the guess's or 1; empty where nothing is known: without a result, with a
+   * transformation estimation of the user's own, and where the final ICP has not found
+   * surfaces or would have lessened the overlap
+   */
+  Eigen::MatrixXd
+  getCovariance() const
+  {
+    return precision_.covariance.topLeftCorner(precision_.unknowns,
+                                               precision_.unknowns);
+  }
+
+  /** \brief Get the standard deviation of the result's scale; 0 where getCovariance()
+   * does not have it.
+   */
+  double
+  getScaleDeviation() const
+  {
+    return getScale() * std::sqrt(precision_.covariance(6, 6));
+  }
+
+  /** \brief Get in how many directions the surfaces leave the pose undetermined, as in
+   * three for a ball that may turn: the result is not moved along them, and none of its
+   * accuracy along them is told.
+   */
+  int
+  getUndeterminedDirections() const
+  {
+    return precision_.undetermined;
   }
 
   /** \brief Get the distinct poses that competed: the final transformation, then the
@@ -460,6 +515,7 @@ private:
     int iterations;
     bool converged;
     Correspondences correspondences;
+    kss::SurfacePrecision precision;
 
     PCL_MAKE_ALIGNED_OPERATOR_NEW
   };
@@ -516,8 +572,8 @@ private:
   kss::Alignment&
   alignmentForSettings();
 
-  /** \brief Run the final ICP from the guess and the best contenders, until the best
-   * has been through it, and put that first.
+  /** \brief Run the final ICP from the guess and from all contenders that may be right,
+   * and put the one that the surfaces speak for most first.
    * \param[in] source the points that take part
    * \return why the work came to no end; empty if it did
    */
@@ -531,15 +587,45 @@ private:
    * borrows the members of the base class.
    * \param[in] source the points that take part
    * \param[in] contender where to start
+   * \param[in] estimate_scale whether the scale may change where it is estimated
+   * \param[in] has_skins whether half of the source may have its nearest points on
+   * another skin of the target
    */
   Contender
   finalICP(const PointCloudSourceConstPtr& source,
            const kss::PoseScorer& scorer,
-           const Alternative& contender);
+           const Alternative& contender,
+           bool estimate_scale,
+           bool has_skins = false);
 
-  /** \brief Put the highest score first. */
+  /** \brief The contender on a skin beside it, or between which it has come to rest,
+   * where that explains more. */
+  Contender
+  onSkinBeside(const PointCloudSourceConstPtr& source,
+               const kss::PoseScorer& scorer,
+               const Contender& contender);
+
+  /** \brief The contender at scale 1 where that explains the clouds as well: metric
+   * data must not lose accuracy to a scale that is free. */
+  Contender
+  atScaleOne(const PointCloudSourceConstPtr& source,
+             const kss::PoseScorer& scorer,
+             const Contender& contender);
+
+  /** \brief Of contenders that are as good as the first one, put the one first that is
+   * nearest to the guess. */
   static void
-  rank(std::vector<Contender>& contenders);
+  preferNearest(const Eigen::Matrix4d& guess,
+                const kss::PoseScorer& scorer,
+                std::vector<Contender>& contenders);
+
+  /** \brief Whether more of the clouds lies on each other: who deserves a run first. */
+  static bool
+  hasMoreOverlap(const Contender& a, const Contender& b);
+
+  /** \brief Whether the surfaces speak more for it; who has had no run comes last. */
+  static bool
+  isMoreLikely(const Contender& a, const Contender& b);
 
   /** \brief Take a contender as the result; one that has no run as it is.
    * \param[in] source_indices of the points that took part
@@ -553,9 +639,23 @@ private:
 
   /** \brief Decide whether the result has converged, and if not, say why.
    * \param[in] stopped why the work came to no end; empty if it did
+   * \param[in] given_scale the scale of the result where it is not estimated
    */
   void
-  judgeResult(const std::string& stopped);
+  judgeResult(const std::string& stopped, double given_scale);
+
+  /** \brief One sentence on what would fit where nothing does: the mirror image of the
+   * source, or another scale than the one given; empty where neither does, or the work
+   * is stopped.
+   */
+  std::string
+  whatWouldFit(double given_scale);
+
+  /** \brief The scale at which another source fits the target, if it does, by a
+   * registration of its own.
+   */
+  std::optional<double>
+  scaleOfFit(const PointCloudSourceConstPtr& source, const kss::Settings& settings);
 
   /** \brief Say why there is no result, and leave the guess as the transformation. */
   void
@@ -566,11 +666,15 @@ private:
   kss::Stages stages_;
   kss::StopSignal stop_;
   bool source_is_output_ = false;
+  double rounding_error_ = 0.0; ///< of a distance between points
+  Eigen::Vector3d source_centroid_ = Eigen::Vector3d::Zero();
+  kss::SurfacePrecision precision_;
 
   kss::Alternatives alternatives_;
   kss::FarPoints far_points_;
   std::string device_name_;
   kss::Failure failure_;
+  bool explains_misfits_ = true; ///< not where it is itself a part of an explanation
 };
 
 } // namespace pcl

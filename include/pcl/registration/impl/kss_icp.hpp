@@ -9,10 +9,12 @@
 #include <pcl/registration/kss/detail/final_icp.h>
 #include <pcl/registration/kss/detail/naming.h>
 #include <pcl/registration/kss/detail/similarity.h>
+#include <pcl/registration/kss/detail/surface_estimation.h>
 #include <pcl/registration/kss/detail/tracked_correspondences.h>
 #include <pcl/registration/kss_icp.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -30,6 +32,8 @@ KSSICP<PointSource, PointTarget, Scalar>::KSSICP()
   convergence_criteria_->setFailureAfterMaximumIterations(true);
   correspondence_estimation_.reset(
       new kss::TrackedCorrespondences<PointSource, PointTarget, Scalar>);
+  this->transformation_estimation_.reset(
+      new kss::SurfaceEstimation<PointSource, PointTarget, Scalar>);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -179,9 +183,12 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
 
   // ICP on the clouds themselves
   stages_.begin("final ICP");
+  source_centroid_ = kss::centroidOf(*input_, source_points.indices);
+  const double rounding_error = kss::roundingError(*target_, target_points.indices);
+  rounding_error_ = std::sqrt(rounding_error);
   if (auto* criteria =
           dynamic_cast<kss::FinalICPCriteria<Scalar>*>(convergence_criteria_.get()))
-    criteria->setRoundingError(kss::roundingError(*target_, target_points.indices));
+    criteria->setRoundingError(rounding_error);
   Indices used = kss::spread(source_points.indices, settings_.icp_points);
   kss::sortInSpace(*input_, used);
   std::vector<Contender> contenders;
@@ -189,10 +196,14 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
     contenders.push_back({alternative, {}});
   const std::string stopped =
       settle(kss::pointsAt(*input_, used), aligned.scorer, guessed, contenders);
+  if (auto* surfaces =
+          dynamic_cast<kss::SurfaceEstimation<PointSource, PointTarget, Scalar>*>(
+              this->transformation_estimation_.get()))
+    surfaces->finish();
   accept(contenders.front(), used);
   list(contenders, aligned.scorer);
   stages_.end();
-  judgeResult(stopped);
+  judgeResult(stopped, guessed_scale.value_or(1.0));
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -239,6 +250,7 @@ KSSICP<PointSource, PointTarget, Scalar>::giveUp(const Matrix4& guess,
   correspondences_->clear();
   alternatives_.clear();
   far_points_ = {};
+  precision_ = {};
   stages_.restart({});
   device_name_.clear();
 }
@@ -380,3 +392,4 @@ KSSICP<PointSource, PointTarget, Scalar>::setSettings(const kss::Settings& setti
 } // namespace pcl
 
 #include <pcl/registration/impl/kss_icp_final.hpp>
+#include <pcl/registration/impl/kss_icp_misfit.hpp>

@@ -7,24 +7,17 @@
 
 #pragma once
 
+#include <pcl/common/centroid.h>
 #include <pcl/console/print.h>
 #include <pcl/registration/kss/detail/final_icp.h>
 #include <pcl/registration/kss/detail/similarity.h>
+#include <pcl/registration/kss/detail/surface_estimation.h>
 #include <pcl/registration/kss_icp.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace pcl {
-
-template <typename PointSource, typename PointTarget, typename Scalar>
-void
-KSSICP<PointSource, PointTarget, Scalar>::rank(std::vector<Contender>& contenders)
-{
-  std::stable_sort(contenders.begin(), contenders.end(),
-                   [](const Contender& a, const Contender& b) {
-                     return a.alternative.overlap.score > b.alternative.overlap.score;
-                   });
-}
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 std::string
@@ -35,27 +28,115 @@ KSSICP<PointSource, PointTarget, Scalar>::settle(
     std::vector<Contender>& contenders)
 try {
   if (guess) {
-    contenders.push_back({scorer.scored(*guess), {}});
-    contenders.back() = finalICP(source, scorer, contenders.back().alternative);
+    contenders.insert(contenders.begin(), {scorer.scored(*guess), {}});
+    std::stable_sort(contenders.begin() + 1, contenders.end(), hasMoreOverlap);
   }
-  rank(contenders);
-  for (int runs = 0; runs < kss::most_final_icps && !contenders.front().run; ++runs) {
-    // where nothing fits, one run is enough to say so
-    if (runs > 0 && kss::confidenceOf(contenders.front().alternative.overlap) <
-                        settings_.minimum_confidence)
+  int runs = 0;
+  double best = -std::numeric_limits<double>::infinity(), closest = 0.0;
+  for (Contender& contender : contenders) {
+    const double score = contender.alternative.overlap.score;
+    const bool may_be_right = score >= kss::hope * closest && best > kss::hopeless;
+    const bool is_doubtful = best < kss::doubtless && runs < kss::most_final_icps;
+    if (runs > 0 && !may_be_right && !is_doubtful)
       break;
-    contenders.front() = finalICP(source, scorer, contenders.front().alternative);
-    rank(contenders);
+    const bool is_guess = guess && runs == 0; // which keeps its scale
+    contender = finalICP(source, scorer, contender.alternative, !is_guess);
+    ++runs;
+    best = std::max(best, kss::logOddsOf(contender.alternative));
+    closest = std::max(closest, contender.alternative.overlap.score);
   }
-  const auto best =
-      std::find_if(contenders.begin(), contenders.end(),
-                   [](const Contender& contender) { return contender.run != nullptr; });
-  std::rotate(contenders.begin(), best, best + 1);
+  std::stable_sort(contenders.begin(), contenders.end(), isMoreLikely);
+  contenders.front() = onSkinBeside(source, scorer, contenders.front());
+  preferNearest(guess.value_or(Eigen::Matrix4d::Identity()), scorer, contenders);
+  if (settings_.estimate_scale)
+    contenders.front() = atScaleOne(source, scorer, contenders.front());
   return "";
 }
 catch (const kss::Stopped& stop) {
-  rank(contenders); // and the best so far has to do
+  // and the best so far has to do
+  std::stable_sort(contenders.begin(), contenders.end(), isMoreLikely);
   return stop.what();
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+bool
+KSSICP<PointSource, PointTarget, Scalar>::hasMoreOverlap(const Contender& a,
+                                                         const Contender& b)
+{
+  return a.alternative.overlap.score > b.alternative.overlap.score;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+bool
+KSSICP<PointSource, PointTarget, Scalar>::isMoreLikely(const Contender& a,
+                                                       const Contender& b)
+{
+  if (static_cast<bool>(a.run) != static_cast<bool>(b.run))
+    return static_cast<bool>(a.run);
+  return kss::logOddsOf(a.alternative) > kss::logOddsOf(b.alternative);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::preferNearest(
+    const Eigen::Matrix4d& guess,
+    const kss::PoseScorer& scorer,
+    std::vector<Contender>& contenders)
+{
+  const Alternative best = contenders.front().alternative;
+  const auto distance = [&](const Contender& contender) {
+    return scorer.distance(contender.alternative.transformation, guess);
+  };
+  auto nearest = contenders.begin();
+  for (auto other = contenders.begin() + 1; other != contenders.end(); ++other)
+    if (other->run && kss::areEquallyGood(best, other->alternative) &&
+        distance(*other) < distance(*nearest))
+      nearest = other;
+  std::rotate(contenders.begin(), nearest, nearest + 1);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+typename KSSICP<PointSource, PointTarget, Scalar>::Contender
+KSSICP<PointSource, PointTarget, Scalar>::onSkinBeside(
+    const PointCloudSourceConstPtr& source,
+    const kss::PoseScorer& scorer,
+    const Contender& contender)
+{
+  const auto beside =
+      scorer.skinBeside(contender.alternative.transformation, settings_.estimate_scale);
+  if (!beside)
+    return contender;
+  const Contender settled =
+      finalICP(source, scorer, scorer.scored(*beside), true, true);
+  return isMoreLikely(settled, contender) ? settled : contender;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+typename KSSICP<PointSource, PointTarget, Scalar>::Contender
+KSSICP<PointSource, PointTarget, Scalar>::atScaleOne(
+    const PointCloudSourceConstPtr& source,
+    const kss::PoseScorer& scorer,
+    const Contender& contender)
+{
+  const Eigen::Matrix4d& pose = contender.alternative.transformation;
+  const double scale = kss::scaleOf(pose);
+  if (std::abs(std::log(scale)) > kss::nearly_scale_one)
+    return contender;
+  Eigen::Matrix4d metric = pose;
+  metric.topLeftCorner<3, 3>() /= scale;
+  Eigen::Vector4d center;
+  compute3DCentroid(*source, center);
+  metric.topRightCorner<3, 1>() +=
+      (pose - metric).topLeftCorner<3, 3>() * center.head<3>();
+  const Contender settled = finalICP(source, scorer, scorer.scored(metric), false);
+  // what is as good only where the scale found is 1 as far as it is known
+  const bool is_one = std::log(scale) * std::log(scale) <=
+                      9.0 * contender.run->precision.covariance(6, 6);
+  return isMoreLikely(settled, contender) ||
+                 (is_one &&
+                  kss::areEquallyGood(settled.alternative, contender.alternative))
+             ? settled
+             : contender;
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
@@ -63,7 +144,9 @@ typename KSSICP<PointSource, PointTarget, Scalar>::Contender
 KSSICP<PointSource, PointTarget, Scalar>::finalICP(
     const PointCloudSourceConstPtr& source,
     const kss::PoseScorer& scorer,
-    const Alternative& contender)
+    const Alternative& contender,
+    bool estimate_scale,
+    bool has_skins)
 {
   const Eigen::Matrix4d& pose = contender.transformation;
 
@@ -83,6 +166,25 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(
   if (settings_.mode != kss::Mode::GLOBAL_GLOBAL)
     corr_dist_threshold_ =
         std::min(corr_dist_threshold_, kss::final_icp_reach * scorer.spacingAt(pose));
+  auto* const surfaces =
+      dynamic_cast<kss::SurfaceEstimation<PointSource, PointTarget, Scalar>*>(
+          this->transformation_estimation_.get());
+  if (surfaces) {
+    kss::SurfaceStepSettings steps;
+    if (estimate_scale && settings_.estimate_scale) {
+      steps.smallest_scale = settings_.smallest_scale;
+      steps.largest_scale = settings_.largest_scale;
+    }
+    steps.rounding_error = rounding_error_;
+    steps.has_skins = has_skins;
+    steps.source_normal_error = scorer.sourceNormalError();
+    steps.target_normal_error = scorer.targetNormalError();
+    surfaces->start(scorer, *source, target_->size(), pose, steps);
+  }
+  auto* const criteria =
+      dynamic_cast<kss::FinalICPCriteria<Scalar>*>(convergence_criteria_.get());
+  if (criteria)
+    criteria->follow(surfaces ? &surfaces->last() : nullptr);
   PointCloudSource unused;
   bool is_pose = true;
   try {
@@ -94,18 +196,28 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(
   }
   if (!is_pose)
     transformation_ = previous_transformation_ = Matrix4::Identity();
-  Run run{final_transformation_, transformation_, previous_transformation_,
-          nr_iterations_,        converged_,      *correspondences_};
+  Run run{final_transformation_,
+          transformation_,
+          previous_transformation_,
+          nr_iterations_,
+          converged_,
+          *correspondences_,
+          {}};
+  if (is_pose && surfaces)
+    run.precision = surfaces->precision(
+        (final_transformation_.template cast<double>() * source_centroid_.homogeneous())
+            .template head<3>());
 
   // an estimation can be singular, and nearest points lead astray where noise is heavy
-  Alternative after = contender;
+  Alternative after;
   if (is_pose)
     after = scorer.scored(final_transformation_.template cast<double>());
   if (!is_pose ||
       after.overlap.score < (1.0 - kss::final_icp_loss) * contender.overlap.score) {
-    after = contender;
+    after = scorer.scored(pose);
     run.transformation = pose.cast<Scalar>();
     run.converged = true;
+    run.precision = {};
   }
   return {after, std::make_shared<Run>(run)};
 }
@@ -116,6 +228,7 @@ KSSICP<PointSource, PointTarget, Scalar>::accept(const Contender& contender,
                                                  const Indices& source_indices)
 {
   alternatives_.assign(1, contender.alternative);
+  precision_ = {};
   correspondences_->clear();
   if (!contender.run) {
     final_transformation_ =
@@ -133,6 +246,7 @@ KSSICP<PointSource, PointTarget, Scalar>::accept(const Contender& contender,
   previous_transformation_ = run.previous_increment;
   nr_iterations_ = run.iterations;
   converged_ = run.converged;
+  precision_ = run.precision;
   *correspondences_ = run.correspondences;
   for (Correspondence& correspondence : *correspondences_)
     correspondence.index_query = source_indices[correspondence.index_query];
@@ -154,7 +268,8 @@ KSSICP<PointSource, PointTarget, Scalar>::list(const std::vector<Contender>& con
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 void
-KSSICP<PointSource, PointTarget, Scalar>::judgeResult(const std::string& stopped)
+KSSICP<PointSource, PointTarget, Scalar>::judgeResult(const std::string& stopped,
+                                                      double given_scale)
 {
   if (!stopped.empty())
     failure_ = {kss::FailureCause::STOPPED,
@@ -163,10 +278,13 @@ KSSICP<PointSource, PointTarget, Scalar>::judgeResult(const std::string& stopped
     failure_ = {kss::FailureCause::UNSETTLED, "The final ICP still moved after " +
                                                   std::to_string(nr_iterations_) +
                                                   " iterations; allow more of them."};
-  else if (getConfidence() < settings_.minimum_confidence)
-    failure_ = {kss::FailureCause::NO_FIT, kss::misfitAt(getOverlap())};
+  else if (getConfidence() < settings_.minimum_confidence) {
+    const std::string known = explains_misfits_ ? whatWouldFit(given_scale) : "";
+    failure_ = {kss::FailureCause::NO_FIT,
+                known.empty() ? kss::misfitAt(getEvidence()) : known};
+  }
   converged_ = failure_.cause == kss::FailureCause::NONE;
-  if (!converged_)
+  if (!converged_ && explains_misfits_)
     PCL_WARN("[pcl::%s] %s\n", getClassName().c_str(), failure_.reason.c_str());
 }
 

@@ -36,10 +36,45 @@ public:
   bool
   areSame(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const;
 
+  /** \brief How far apart two transformations place the source, root mean square, in
+   * root mean square radii of the target. */
+  double
+  distance(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const;
+
+  /** \brief A transformation at which the surfaces explain many more of the source's
+   * points, near one at which ICP has come to rest: on another skin of a wall, say.
+   * \param[in] scale_is_free whether its scale may be another one
+   * \return none where there is no such place
+   */
+  std::optional<Eigen::Matrix4d>
+  skinBeside(const Eigen::Matrix4d& transformation, bool scale_is_free) const;
+
   /** \brief The spacing of the points of both clouds where a transformation has placed
    * the source: the wider one, median, in units of the target. */
   double
   spacingAt(const Eigen::Matrix4d& transformation) const;
+
+  /** \brief Unit normals of the source's surface where it is nearest to positions;
+   * their signs mean something only where both clouds have sides.
+   * \param[in] positions in the coordinates of the source
+   */
+  Points
+  sourceNormals(const Eigen::Matrix3Xd& positions) const;
+
+  /** \brief Unit normals of the target's surface where it is nearest to positions;
+   * their signs mean something only where both clouds have sides.
+   * \param[in] positions in the coordinates of the target
+   */
+  Points
+  targetNormals(const Eigen::Matrix3Xd& positions) const;
+
+  /** \brief How far the normals of the source are off, typically, in radians. */
+  double
+  sourceNormalError() const;
+
+  /** \brief How far the normals of the target are off, typically, in radians. */
+  double
+  targetNormalError() const;
 
 private:
   std::shared_ptr<const ShapePair> shapes_;

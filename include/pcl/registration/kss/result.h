@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/registration/kss/detail/points.h>
+#include <pcl/registration/kss/evidence.h>
 #include <pcl/registration/kss/export.h>
 #include <pcl/registration/kss/settings.h>
 
@@ -35,6 +36,8 @@ struct Alternative {
   StoredPose transformation;
   /** \brief How much of the clouds lies on each other there. */
   Overlap overlap;
+  /** \brief What the surfaces of the clouds say of it. */
+  Evidence evidence = {};
 };
 
 /** \brief Poses by falling score of their overlap. */
@@ -46,15 +49,24 @@ struct FarPoints {
   std::size_t target = 0; ///< of the target
 };
 
-/** \brief How sure it is that two clouds show one object at a pose, in [0, 1]: the
- * logistic function of the overlap's score.
- *
- * The best poses of different objects score up to 0.43, of smooth lumps up to 0.53;
- * right ones 0.57 and more, which is two fifths of each cloud lying on the other;
- * between them, at 0.55, the confidence is 0.5.
+/** \brief The logarithm of the odds that a pose is right, from what the surfaces say of
+ * it: fitted, see docs/confidence.md.
  */
 PCL_KSS_ICP_EXPORT double
-confidenceOf(const Overlap& overlap);
+logOddsOf(const Alternative& alternative);
+
+/** \brief The probability that two clouds show one object, and that the first of the
+ * poses, or one about as good, is right: from its odds and how far ahead of the next
+ * distinct pose it is; no closer to 1 than the number of points that are explained
+ * allows. 0 where there is no pose.
+ */
+PCL_KSS_ICP_EXPORT double
+confidenceOf(const Alternatives& alternatives);
+
+/** \brief Whether chance alone can account for the difference between what the surfaces
+ * say of two poses. */
+PCL_KSS_ICP_EXPORT bool
+areEquallyGood(const Alternative& a, const Alternative& b);
 
 /** \brief Whether the second of the alternatives is about as good as the first, and the
  * first one rather sure than not: without a pose there is no choice of poses. */
@@ -68,7 +80,7 @@ modeOf(const Overlap& overlap);
 
 /** \brief One sentence on clouds that do not fit at the best pose. */
 PCL_KSS_ICP_EXPORT std::string
-misfitAt(const Overlap& overlap);
+misfitAt(const Evidence& evidence);
 
 } // namespace kss
 } // namespace pcl

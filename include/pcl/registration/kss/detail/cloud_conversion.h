@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 #include <pcl/registration/kss/detail/bulk.h>
 #include <pcl/registration/kss/detail/grid_index.h>
 #include <pcl/registration/kss/detail/points.h>
@@ -139,6 +140,20 @@ bulkOf(const PointCloud<PointT>& cloud, const Indices& indices)
   return bulkOf(std::move(some));
 }
 
+/** \brief The mean of some points of a cloud.
+ * \param[in] cloud has finite points at the indices
+ * \param[in] indices at least one
+ */
+template <typename PointT>
+Eigen::Vector3d
+centroidOf(const PointCloud<PointT>& cloud, const Indices& indices)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const index_t i : indices)
+    sum += cloud[i].getVector3fMap().template cast<double>();
+  return sum / static_cast<double>(indices.size());
+}
+
 /** \brief What of a cloud a registration goes by. */
 struct UsablePoints {
   /** \brief The indices of the finite points that its bulk holds. */
@@ -175,6 +190,35 @@ usablePoints(const PointCloud<PointT>& cloud, const Indices& indices)
   return usable;
 }
 
+/** \brief The normals of some points, of unit length; zero where they have none.
+ * \return no columns where the points are of a type without, or most of them have none
+ */
+template <typename PointT>
+Points
+normalsOf(const PointCloud<PointT>& cloud, const Indices& indices)
+{
+  Points normals;
+  if constexpr (traits::has_normal<PointT>::value) {
+    const auto unit = [&cloud](index_t i) -> Eigen::Vector3f {
+      const Eigen::Vector3d normal =
+          cloud[i].getNormalVector3fMap().template cast<double>();
+      const double length = normal.norm();
+      if (!std::isfinite(length) || length == 0.0)
+        return Eigen::Vector3f::Zero();
+      return (normal / length).template cast<float>();
+    };
+    const auto known = static_cast<std::size_t>(
+        std::count_if(indices.begin(), indices.end(),
+                      [&unit](index_t i) { return !unit(i).isZero(); }));
+    if (2 * known > indices.size()) {
+      normals.resize(3, indices.size());
+      for (std::size_t i = 0; i < indices.size(); ++i)
+        normals.col(i) = unit(indices[i]);
+    }
+  }
+  return normals;
+}
+
 /** \brief The usable points of a cloud, in a frame in their middle. */
 template <typename PointT>
 LocalCloud
@@ -188,6 +232,7 @@ toLocalCloud(const PointCloud<PointT>& cloud, const UsablePoints& usable)
         (cloud[usable.indices[i]].getVector3fMap().template cast<double>() -
          local.origin)
             .template cast<float>();
+  local.normals = normalsOf(cloud, usable.indices);
   return local;
 }
 

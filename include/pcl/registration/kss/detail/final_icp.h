@@ -6,13 +6,26 @@
 
 #include <pcl/registration/default_convergence_criteria.h>
 #include <pcl/registration/kss/detail/stopping.h>
+#include <pcl/registration/kss/detail/surface_step.h>
 
 namespace pcl {
 namespace kss {
 
-/** \brief The final ICP can cost a pose the lead that it had among the simplified
- * clouds: then the next one gets its chance, so often at most. */
+/** \brief Poses that may be right go through the final ICP, before which the surfaces
+ * cannot tell: those whose overlap's score is at least this share of the best one. */
+constexpr double hope = 0.75;
+
+/** \brief Where none of them has odds that good, as logarithm, no more are tried than are
+ * tried anyway. */
+constexpr double hopeless = -2.0;
+
+/** \brief And, unless the odds of one of them are ten to one, so many of the others. */
+constexpr double doubtless = 2.3; // the logarithm
 constexpr int most_final_icps = 3;
+
+/** \brief How far the logarithm of the scale may be from that of scale 1 for both to
+ * explain the clouds: parts of known size come out up to a tenth off. */
+constexpr double nearly_scale_one = 0.12;
 
 /** \brief Correspondences of the final ICP are no longer than so many spacings. */
 constexpr double final_icp_reach = 4.0;
@@ -20,6 +33,10 @@ constexpr double final_icp_reach = 4.0;
 /** \brief The share of the score that a pose may lose to the final ICP: what chance
  * causes. */
 constexpr double final_icp_loss = 0.01;
+
+/** \brief Steps smaller than this share of the pose's standard errors, root mean square
+ * over its directions, are at rest. */
+constexpr double at_rest = 0.1;
 
 /** \brief Thrown through ICP where its transformation is none that points can follow:
  * PCL asserts that they are finite. */
@@ -47,6 +64,15 @@ public:
     rounding_error_ = mean_squared_error;
   }
 
+  /** \brief Take the steps of an estimation for what says whether clouds are at rest.
+   * \param[in] step the last one, whenever it is asked for; null: PCL's criteria do
+   */
+  void
+  follow(const SurfaceStep* step)
+  {
+    step_ = step;
+  }
+
   bool
   hasConverged() override
   {
@@ -55,6 +81,14 @@ public:
       this->correspondences_prev_mse_ = std::numeric_limits<double>::max();
     if (Base::hasConverged())
       return true;
+    // at the limit, clouds that moved by less than a standard error are at rest, too
+    const bool is_over = this->convergence_state_ ==
+                         Base::CONVERGENCE_CRITERIA_FAILURE_AFTER_MAX_ITERATIONS;
+    const double most = is_over ? 1.0 : at_rest * at_rest;
+    if (step_ && step_->is_found && step_->squared_errors_moved < most) {
+      this->convergence_state_ = Base::CONVERGENCE_CRITERIA_TRANSFORM;
+      return true;
+    }
     if (this->convergence_state_ == Base::CONVERGENCE_CRITERIA_NOT_CONVERGED &&
         this->correspondences_cur_mse_ <= rounding_error_)
       this->convergence_state_ = Base::CONVERGENCE_CRITERIA_ABS_MSE;
@@ -63,6 +97,7 @@ public:
 
 private:
   double rounding_error_ = 0.0;
+  const SurfaceStep* step_ = nullptr;
 };
 
 } // namespace kss

@@ -26,6 +26,10 @@ struct LocalCloud {
   Points points;
   /** \brief Where the local frame lies: near the middle of the cloud. */
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  /** \brief Unit normals that came with the points, a column per point; a zero column:
+   * unknown; no columns: to be found from the points.
+   */
+  Points normals{};
 };
 
 } // namespace kss

@@ -1,0 +1,177 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include <pcl/registration/kss/alignment.h>
+#include <pcl/registration/kss/detail/surface_step.h>
+#include <pcl/registration/transformation_estimation_svd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pcl {
+namespace kss {
+
+/** \brief The transformation estimation of the final ICP: matched points are laid on
+ * each other's tangent planes (surfaceStep()), which come from the surfaces that the
+ * alignment has made of both clouds.
+ *
+ * Where that finds nothing, as where points have no surface, and outside of KSSICP, it
+ * is PCL's estimation from points.
+ */
+template <typename PointSource, typename PointTarget, typename Scalar>
+class SurfaceEstimation
+: public registration::TransformationEstimationSVD<PointSource, PointTarget, Scalar> {
+  using Base =
+      registration::TransformationEstimationSVD<PointSource, PointTarget, Scalar>;
+
+public:
+  using typename Base::Matrix4;
+
+  /** \brief Begin a run of ICP.
+   * \param[in] scorer knows the surfaces
+   * \param[in] source the points that take part, as they are
+   * \param[in] pose where the run starts
+   * \param[in] settings of the steps; the scale's bounds are those of the whole run
+   */
+  void
+  start(const PoseScorer& scorer,
+        const PointCloud<PointSource>& source,
+        std::size_t target_size,
+        const Eigen::Matrix4d& pose,
+        const SurfaceStepSettings& settings)
+  {
+    scorer_ = &scorer;
+    settings_ = settings;
+    if (source_normals_.cols() == 0)
+      source_normals_ = scorer.sourceNormals(placesOf(source)).template cast<double>();
+    target_normals_.resize(3, target_size);
+    is_known_.resize(target_size, false);
+    linear_ = pose.topLeftCorner<3, 3>();
+    last_ = {};
+  }
+
+  /** \brief Forget the clouds. */
+  void
+  finish()
+  {
+    scorer_ = nullptr;
+    source_normals_.resize(3, 0);
+    is_known_.clear();
+  }
+
+  /** \brief The last step. */
+  const SurfaceStep&
+  last() const
+  {
+    return last_;
+  }
+
+  /** \brief How precise the pose of the last step is.
+   * \param[in] center of the source where it has been placed
+   */
+  SurfacePrecision
+  precision(const Eigen::Vector3d& center) const
+  {
+    return last_.is_found ? surfacePrecision(pairs_, settings_, center)
+                          : SurfacePrecision();
+  }
+
+  using Base::estimateRigidTransformation;
+
+  void
+  estimateRigidTransformation(const PointCloud<PointSource>& source,
+                              const PointCloud<PointTarget>& target,
+                              const Correspondences& correspondences,
+                              Matrix4& transformation) const override
+  {
+    if (scorer_) {
+      SurfaceStepSettings left = settings_;
+      if (left.smallest_scale < left.largest_scale) {
+        const double scale = std::cbrt(linear_.determinant());
+        left.smallest_scale /= scale;
+        left.largest_scale /= scale;
+      }
+      pairs_ = pairsOf(source, target, correspondences);
+      const double before = last_.squared_errors_moved;
+      last_ = surfaceStep(pairs_, left);
+      if (before > 0.0)
+        settings_.contraction =
+            std::min(0.8, std::sqrt(last_.squared_errors_moved / before));
+      if (last_.is_found) {
+        transformation = last_.transformation.template cast<Scalar>();
+        linear_ = last_.transformation.template topLeftCorner<3, 3>() * linear_;
+        return;
+      }
+    }
+    Base::estimateRigidTransformation(source, target, correspondences, transformation);
+    linear_ =
+        transformation.template topLeftCorner<3, 3>().template cast<double>() * linear_;
+  }
+
+private:
+  template <typename PointT>
+  static Eigen::Matrix3Xd
+  placesOf(const PointCloud<PointT>& cloud)
+  {
+    Eigen::Matrix3Xd places(3, cloud.size());
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      places.col(i) = cloud[i].getVector3fMap().template cast<double>();
+    return places;
+  }
+
+  SurfacePairs
+  pairsOf(const PointCloud<PointSource>& source,
+          const PointCloud<PointTarget>& target,
+          const Correspondences& correspondences) const
+  {
+    lookUp(target, correspondences);
+    const Eigen::Matrix3d rotation = linear_ / std::cbrt(linear_.determinant());
+    const auto size = static_cast<Eigen::Index>(correspondences.size());
+    SurfacePairs pairs{Eigen::Matrix3Xd(3, size), Eigen::Matrix3Xd(3, size),
+                       Eigen::Matrix3Xd(3, size), Eigen::Matrix3Xd(3, size)};
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const index_t query = correspondences[i].index_query;
+      const index_t match = correspondences[i].index_match;
+      pairs.source.col(i) = source[query].getVector3fMap().template cast<double>();
+      pairs.target.col(i) = target[match].getVector3fMap().template cast<double>();
+      pairs.source_normals.col(i) = rotation * source_normals_.col(query);
+      pairs.target_normals.col(i) = target_normals_.col(match).template cast<double>();
+    }
+    return pairs;
+  }
+
+  /** Learn the normals of the matched points of the target. */
+  void
+  lookUp(const PointCloud<PointTarget>& target,
+         const Correspondences& correspondences) const
+  {
+    std::vector<index_t> unknown;
+    for (const Correspondence& pair : correspondences)
+      if (!is_known_[pair.index_match]) {
+        is_known_[pair.index_match] = true;
+        unknown.push_back(pair.index_match);
+      }
+    Eigen::Matrix3Xd places(3, unknown.size());
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+      places.col(i) = target[unknown[i]].getVector3fMap().template cast<double>();
+    const Points normals = scorer_->targetNormals(places);
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+      target_normals_.col(unknown[i]) = normals.col(i);
+  }
+
+  const PoseScorer* scorer_ = nullptr;
+  mutable SurfaceStepSettings settings_;
+  Eigen::Matrix3Xd source_normals_{3, 0};
+  mutable Points target_normals_;
+  mutable std::vector<bool> is_known_;
+  mutable Eigen::Matrix3d linear_;
+  mutable SurfacePairs pairs_;
+  mutable SurfaceStep last_;
+};
+
+} // namespace kss
+} // namespace pcl
