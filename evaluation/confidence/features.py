@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the confidence is a function of: features of a pose's evidence, the sign that each
-coefficient must have, and the features that the library uses."""
+coefficient must have, and the features that the library uses: to choose among the poses
+of a pair, and to tell whether the best one is right, where it does not count against it
+that scans share no more than a part."""
 import numpy as np
 
 
@@ -37,7 +39,8 @@ FEATURES = {   # name: (sign, function of the columns)
     "free scale": (-1, lambda c: (c["scaling"] != "rigid").astype(float)),
     "score": (1, lambda c: c["score"]),
 }
-USED = ["best worst", "mean consistent", "residual", "score"]
+RANKING = ["best worst", "mean consistent", "residual", "score"]
+USED = ["best consistent", "mean consistent", "residual", "score"]
 FARTHEST = 8   # a margin beyond counts as this
 
 
@@ -49,6 +52,6 @@ def signs(names):
     return [FEATURES[name][0] for name in names]
 
 
-def with_margin(odds, margin):
+def with_margin(values, margin):
     """What the confidence of a case's best pose is a function of."""
-    return np.column_stack([odds, np.log1p(np.minimum(margin, FARTHEST))])
+    return np.column_stack([values, np.log1p(np.minimum(margin, FARTHEST))])

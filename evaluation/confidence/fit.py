@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Fits the confidence on one part of the cases, checks it on the other.
 
-usage: fit.py TABLE.csv [--explore] [--csv FILE] [--picture FILE]
-TABLE.csv comes from run_cases.py. --explore: how well each feature tells right from wrong.
+usage: fit.py TABLE.csv... [--explore] [--csv FILE] [--picture FILE]
+Tables come from run_cases.py. --explore: how well each feature tells right from wrong.
 --csv, --picture: the checking part's poses with their confidence, and its diagram."""
 import argparse
 import csv
@@ -24,30 +24,31 @@ def log_odds(columns, names, model):
     return model[0] + features.matrix(columns, names) @ model[1]
 
 
-def best_poses(columns, odds):
-    """The best pose of each case, its log odds and margin, and whether it is right or
-    one that is equally good."""
-    first, margin, right = table.best_of_each(columns, odds, ALIKE)
+def best_poses(columns, rank):
+    """The best pose of each case, its margin, and whether it is right or one that is
+    equally good."""
+    first, margin, right = table.best_of_each(columns, rank, ALIKE)
     best = table.chosen(columns, first)
-    best.update({"log odds": odds[first], "margin": margin, "right itself": best["right"] > 0,
-                 "right": right})
+    best.update({"margin": margin, "right itself": best["right"] > 0, "right": right})
     return best
 
 
-def fit(columns, names):
-    """The models of a pose's log odds and of the best pose's, with the margin; and each
-    case's best pose. All from the fit part."""
-    odds = -columns["rank"]
+def fit(columns, names=None):
+    """The models of a pose's log odds, which rank the poses of a case, and of those of the
+    best one to be right; and each case's best pose. All from the fit part; with the names
+    as features of both models, unless they are left out."""
+    ranking, used = names or features.RANKING, names or features.USED
+    rank = -columns["rank"]
     for _ in range(ROUNDS):
-        best = best_poses(columns, odds)
-        pose = fitted(best, features.matrix(best, names), features.signs(names))
-        odds = log_odds(columns, names, pose)
-    best = best_poses(columns, odds)
-    pair = features.with_margin(best["log odds"], best["margin"])
-    final = fitted(best, pair, [1, 1])
-    best["final"] = final[0] + pair @ final[1]
+        best = best_poses(columns, rank)
+        pose = fitted(best, features.matrix(best, ranking), features.signs(ranking))
+        rank = log_odds(columns, ranking, pose)
+    best = best_poses(columns, rank)
+    values = features.with_margin(features.matrix(best, used), best["margin"])
+    model = fitted(best, values, features.signs(used) + [1])
+    best["final"] = model[0] + values @ model[1]
     best["confidence"] = expit(best["final"])
-    return pose, final, best
+    return pose, model, best
 
 
 def fitted(best, values, signs):
@@ -110,9 +111,9 @@ def calibration(best):
     fitting, checking = of_part(best, "fit"), of_part(best, "check")
     curve = logistic.never_falling(fitting["final"], fitting["right"], table.equal_says(
         fitting["kind"], fitting["right"]))
-    print("log likelihood of the check part, without margin, with it, isotonic on top:",
+    print("log likelihood of the check part, and with an isotonic calibration on top:",
           *(f"{likelihood(checking, confidence):.4f}" for confidence in (
-              expit(checking["log odds"]), checking["confidence"], curve(checking["final"]))))
+              checking["confidence"], curve(checking["final"]))))
 
 
 def by_kind(best):
@@ -134,11 +135,12 @@ def reliability(part):
                   f" {part['right'][of].mean():.3f}")
 
 
-def print_constants(pose, final):
+def print_constants(pose, model):
     print(f"log odds of a pose: {pose[0]:.3f}",
-          *(f"{slope:+.3f} [{name}]" for name, slope in zip(features.USED, pose[1])))
-    print(f"log odds of the best: {final[0]:.3f} {final[1][0]:+.3f} [log odds]"
-          f" {final[1][1]:+.3f} [log(1 + min(margin, {features.FARTHEST}))]")
+          *(f"{slope:+.3f} [{name}]" for name, slope in zip(features.RANKING, pose[1])))
+    print(f"log odds of the best: {model[0]:.3f}",
+          *(f"{slope:+.3f} [{name}]" for name, slope in zip(
+              features.USED + [f"log(1 + min(margin, {features.FARTHEST}))"], model[1])))
 
 
 def write_csv(part, path):
@@ -152,15 +154,15 @@ def write_csv(part, path):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("table")
+    parser.add_argument("tables", nargs="+")
     parser.add_argument("--explore", action="store_true")
     parser.add_argument("--csv")
     parser.add_argument("--picture")
     options = parser.parse_args()
-    columns, without = table.read(options.table)
+    columns, without = table.read(*options.tables)
     if options.explore:
         explore(columns)
-    pose, final, best = fit(columns, features.USED)
+    pose, model, best = fit(columns)
     print(len(best["case"]), "cases,", int(best["right"].sum()), "right;", without,
           "without any pose")
     for split in ("fit", "check"):
@@ -169,7 +171,7 @@ def main():
     by_kind(part)
     reliability(part)
     calibration(best)
-    print_constants(pose, final)
+    print_constants(pose, model)
     if options.csv:
         write_csv(part, options.csv)
     if options.picture:

@@ -90,3 +90,14 @@ def refined(mesh, edge):
         vertices, faces = parts.reshape(-1, 3), np.arange(3 * len(parts)).reshape(-1, 3)
     corners = np.concatenate(done)
     return corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3)
+
+
+def bent(mesh, amount, rng):
+    """The mesh bent by a few long waves, so far root mean square, in diagonals."""
+    vertices, faces = mesh
+    size = diagonal(vertices)
+    offsets = np.zeros_like(vertices)
+    for _ in range(6):
+        wave = rng.normal(size=3) * 2 * np.pi / (size * rng.uniform(.3, 1.))
+        offsets += np.sin(vertices @ wave + rng.uniform(0, 6.3))[:, None] * rng.normal(size=3)
+    return vertices + offsets * amount * size / np.sqrt((offsets ** 2).sum(1).mean()), faces

@@ -130,6 +130,21 @@ def two_views(world, rng, foreign):
                 foreign)
 
 
+def distorted(world, rng, foreign):
+    """Two views by a scanner that distorts each in a way of its own."""
+    meshes, names = pair(world, rng, foreign)
+    first = rng.normal(size=3)
+    second = first / np.linalg.norm(first) + rng.normal(size=3) * rng.uniform(.2, .8)
+    views = []
+    for mesh, direction in zip(meshes, (first, second)):
+        amount = np.exp(rng.uniform(np.log(.0005), np.log(.004)))
+        bent = geometry.bent(geometry.refined(mesh, .1), amount, rng)
+        points = count(rng, 3000, 50000)
+        noise = rng.uniform(0, .4) / np.sqrt(points)
+        views.append(scanning.depth_view(bent, direction, points, rng, noise))
+    return made(*views, names, meshes, foreign)
+
+
 def on_table(world, rng, foreign):
     """Views of objects on a table, onto another such view or onto the object."""
     meshes, names = pair(world, rng, foreign)
@@ -147,6 +162,18 @@ def on_table(world, rng, foreign):
         views[1] = cloud(upright, rng)
     meshes = [upright, upright]
     return made(*views, names, meshes, foreign, tolerance=(4., .02))
+
+
+def as_built(world, rng, foreign):
+    """An object's model, and scans of it as it was built, or as scanners distort it."""
+    meshes, names = pair(world, rng, foreign)
+    built = geometry.refined(meshes[1], .1)
+    built = geometry.bent(built, np.exp(rng.uniform(np.log(.002), np.log(.01))), rng)
+    views = [view(built, rng.normal(size=3), rng) for _ in range(rng.integers(1, 6))]
+    clouds = [cloud(meshes[0], rng, None, count(rng, 3000, 30000)), np.vstack(views)]
+    if rng.random() < .5:
+        clouds.reverse()
+    return made(*clouds, names, meshes, foreign, slack=.015)
 
 
 def panel_skin(world, rng, foreign):

@@ -3,12 +3,13 @@
 """Registers the cases of make_cases.py: a table of all poses found, with their evidence.
 
 usage: run_cases.py CASES OUT [--program "pcl_kss_icp"] [--jobs N] [--only KIND,...]
-       [--share X] [--judge]
+       [--share X] [--guide] [--judge]
 OUT gets the reports and table.csv. Reports that are there are kept, so that a run that
 was stopped goes on; --judge makes the table of them alone.
 A row for each alternative of each report: the case, whether the pose is right, and every
 number that the report gives for it. A case without any pose has a row of rank -1.
---share: the first cases of each kind, that part of them."""
+--share: the first cases of each kind, that part of them. --guide: those that have a right
+pose alone, with that as the guess: what evidence is worth must not depend on who finds it."""
 import argparse
 import csv
 import json
@@ -39,12 +40,16 @@ def numbers(found, prefix=""):
     return named
 
 
-def register(folder, report_path, program):
+def register(folder, report_path, program, guide):
     """Has the report of a case written, unless it is there."""
     if report_path.exists():
         return
     written = report_path.with_suffix(".part")
     meta = json.loads((folder / "meta.json").read_text())
+    if guide:
+        guess = report_path.with_suffix(".guess")
+        np.savetxt(guess, meta["pose"])
+        program = program + ["--guess", guess]
     command = program + [folder / "source.pcd", folder / "target.pcd", "--report",
                          written, "--quiet"] + ["--rigid"] * meta["rigid"]
     done = subprocess.run(command, check=False, stderr=subprocess.PIPE)
@@ -59,7 +64,7 @@ def judged(folder, report_path):
     report = json.loads(report_path.read_text())
     surfaces = folder / "surfaces.npz"
     surfaces = dict(np.load(surfaces)) if surfaces.exists() else None
-    start = {"case": folder.name, "kind": meta["kind"], "split": meta["split"],
+    start = {"case": report_path.stem, "kind": meta["kind"], "split": meta["split"],
              "objects": "+".join(meta["objects"]), "scaling": meta["scaling"],
              "registered": int(report["converged"]),
              "confidence": report.get("confidence"),
@@ -82,6 +87,10 @@ def some_of_each(cases, only, share):
     return sorted(some, key=lambda folder: folder.name.rsplit("-", 1)[::-1])
 
 
+def has_pose(folder):
+    return not json.loads((folder / "meta.json").read_text())["foreign"]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("cases", type=pathlib.Path)
@@ -90,15 +99,19 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", default="")
     parser.add_argument("--share", type=float, default=1.)
+    parser.add_argument("--guide", action="store_true")
     parser.add_argument("--judge", action="store_true")
     options = parser.parse_args()
     folders = some_of_each(options.cases, options.only, options.share)
     program = shlex.split(options.program)
     options.out.mkdir(parents=True, exist_ok=True)
-    pairs = [(folder, options.out / f"{folder.name}.json") for folder in folders]
+    if options.guide:
+        folders = [folder for folder in folders if has_pose(folder)]
+    ending = "-guided" if options.guide else ""
+    pairs = [(folder, options.out / f"{folder.name}{ending}.json") for folder in folders]
     if not options.judge:
         with multiprocessing.pool.ThreadPool(options.jobs) as pool:
-            pool.starmap(lambda *pair: register(*pair, program), pairs, 1)
+            pool.starmap(lambda *pair: register(*pair, program, options.guide), pairs, 1)
     rows = [row for pair in pairs if pair[1].exists() for row in judged(*pair)]
     columns = list(dict.fromkeys(FIRST + [name for row in rows for name in row]))
     with open(options.out / "table.csv", "w", newline="") as file:

@@ -7,10 +7,12 @@ import numpy as np
 TEXT = ("case", "kind", "split", "objects", "scaling")
 
 
-def read(path):
+def read(*paths):
     """Columns of the poses found, and how many cases had none."""
-    with open(path, newline="") as file:
-        rows = list(csv.DictReader(file))
+    rows = []
+    for path in paths:
+        with open(path, newline="") as file:
+            rows += csv.DictReader(file)
     found = [row for row in rows if row["rank"] != "-1"]
     columns = {name: np.array([row[name] for row in found]) if name in TEXT else
                np.array([float(row[name] or "nan") for row in found])

@@ -4,9 +4,8 @@
 
 #pragma once
 
-#include <pcl/registration/kss/detail/points.h>
-
 #include "geometry/nearest_points.h"
+#include "geometry/tangent_planes.h"
 
 #include <memory>
 
@@ -17,13 +16,8 @@ namespace kss {
 struct OrientedPoints {
   /** \brief The points, and what finds the nearest of them. */
   std::shared_ptr<const NearestPoints> points;
-  /** \brief Unit normals, a column per point. */
-  Points normals;
-  /** \brief Whether their signs say which side is outside. */
-  bool has_sides = false;
-  /** \brief How far the points lie off their planes, standard deviation, in the unit of
-   * the points; see noiseAbout(). */
-  float noise = 0.0f;
+  /** \brief Its planes at these points. */
+  TangentPlanes planes;
 };
 
 } // namespace kss

@@ -36,6 +36,19 @@ surfaceOf(const Points& cloud, std::size_t most, const Settings& settings)
   return {points, neighbourhoodsOf(points, known_neighbours, settings.threads)};
 }
 
+/** The planes of a surface.
+ * \param[in] cloud that it is of, which may have normals of its own */
+TangentPlanes
+planesOf(const Surface& surface, const LocalCloud& cloud, const Settings& settings)
+{
+  const auto& [points, neighbourhoods] = surface;
+  TangentPlanes planes;
+  planes.normals = normalsOf(points, neighbourhoods, settings.threads);
+  planes.has_sides = takeGivenNormals(cloud, surface, planes.normals);
+  measureTrust(points, neighbourhoods, settings.threads, planes);
+  return planes;
+}
+
 FarthestOrder
 orderOf(const Points& points, const Settings& settings)
 {
@@ -58,11 +71,7 @@ prepared(const LocalCloud& cloud, const Settings& settings)
   prepared.dense = static_cast<std::size_t>(cloud.points.cols()) <= most_points
                        ? prepared.surface
                        : surfaceOf(cloud.points, most_dense_points, settings);
-  prepared.normals =
-      normalsOf(prepared.dense.points, prepared.dense.neighbourhoods, settings.threads);
-  prepared.has_sides = takeGivenNormals(cloud, prepared.dense, prepared.normals);
-  prepared.noise = noiseAbout(prepared.dense.points, prepared.dense.neighbourhoods,
-                              prepared.normals, settings.threads);
+  prepared.planes = planesOf(prepared.dense, cloud, settings);
   prepared.order = orderOf(prepared.surface.points, settings);
   return prepared;
 }
@@ -76,11 +85,9 @@ averageNoise(PreparedCloud& source, PreparedCloud& target, const Settings& setti
     cloud->surface.neighbourhoods =
         neighbourhoodsOf(cloud->surface.points, known_neighbours, settings.threads);
     cloud->dense = cloud->surface;
-    cloud->normals =
-        normalsOf(cloud->dense.points, cloud->dense.neighbourhoods, settings.threads);
+    cloud->planes = planesOf(cloud->dense, {}, settings);
     // the means of two noisy samplings lie about that far off each other's planes
-    cloud->noise = 0.5f * median(spacingOf(cloud->dense.neighbourhoods));
-    cloud->has_sides = false;
+    cloud->planes.noise = 0.5f * median(spacingOf(cloud->dense.neighbourhoods));
     cloud->order = orderOf(cloud->surface.points, settings);
   }
 }

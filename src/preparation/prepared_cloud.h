@@ -8,7 +8,7 @@
 #include <pcl/registration/kss/settings.h>
 
 #include "geometry/neighbourhoods.h"
-#include "geometry/normals.h"
+#include "geometry/tangent_planes.h"
 #include "preparation/farthest_points.h"
 
 namespace pcl {
@@ -22,9 +22,8 @@ struct PreparedCloud {
   Surface surface;
   /** \brief The same, as dense as the cloud is: what judges poses. */
   Surface dense;
-  Points normals;         ///< of \ref dense, a column per point
-  bool has_sides = false; ///< whether their signs tell which side is outside
-  float noise = 0.0f;     ///< of \ref dense, see noiseAbout()
+  /** \brief Its planes at these points. */
+  TangentPlanes planes;
   /** \brief As many of them in farthest order as the simplification may need. */
   FarthestOrder order;
   /** \brief Whether heavy noise has to be averaged away. */

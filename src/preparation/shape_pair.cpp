@@ -65,9 +65,9 @@ shapeOf(const PreShape& simplified,
       areEqual(cloud.dense.points, cloud.surface.points)
           ? shape.all
           : place(cloud.dense, before ? before->surface.points : nullptr);
-  shape.surface.normals = cloud.normals;
-  shape.surface.has_sides = cloud.has_sides;
-  shape.surface.noise = cloud.noise / static_cast<float>(simplified.size);
+  shape.surface.planes = cloud.planes;
+  shape.surface.planes.deviations /= static_cast<float>(simplified.size);
+  shape.surface.planes.noise /= static_cast<float>(simplified.size);
   return shape;
 }
 

@@ -36,7 +36,7 @@ normalsOf(const Shape& shape, const Eigen::Matrix3Xd& positions)
     const Eigen::Vector3d placed =
         T_shape_cloud.linear() * positions.col(i) + T_shape_cloud.translation;
     float squared_distance;
-    normals.col(i) = shape.surface.normals.col(
+    normals.col(i) = shape.surface.planes.normals.col(
         shape.surface.points->nearest(placed.cast<float>(), squared_distance));
   }
   return normals;
@@ -48,7 +48,7 @@ double
 normalErrorOf(const Shape& shape)
 {
   constexpr double points = 13.0;
-  return shape.surface.noise / median(shape.surface.points->spacing()) *
+  return shape.surface.planes.noise / median(shape.surface.points->spacing()) *
          std::sqrt(2.0 / points);
 }
 
@@ -85,13 +85,13 @@ PoseScorer::distance(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const
 }
 
 std::optional<Eigen::Matrix4d>
-PoseScorer::skinBeside(const Eigen::Matrix4d& transformation, bool scale_is_free) const
+PoseScorer::skinBeside(const Eigen::Matrix4d& transformation) const
 {
   if (shapes_->is_noisy)
     return {};
   const std::optional<Similarity> pose =
       kss::skinBeside(shapes_->source.surface, shapes_->target.surface,
-                      poseOf(transformation, *shapes_), scale_is_free);
+                      poseOf(transformation, *shapes_), shapes_->scales);
   if (!pose)
     return {};
   return (shapes_->target.simplified.T_cloud_shape() * *pose *

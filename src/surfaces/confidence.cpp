@@ -11,15 +11,15 @@ namespace pcl {
 namespace kss {
 namespace {
 
-// fitted by evaluation/confidence/fit.py on the cases made there; see docs/confidence.md
-constexpr double odds_constant = -0.469;
-constexpr double odds_of_worst = 0.951;
-constexpr double odds_of_consistent = 1.569;
-constexpr double odds_of_residual = 0.0;
-constexpr double odds_of_score = 2.973;
-constexpr double confidence_constant = -0.639;
-constexpr double confidence_of_odds = 0.885;
-constexpr double confidence_of_margin = 0.907;
+// fitted by evaluation/confidence/fit.py on cases made there; see docs/confidence.md
+struct {
+  double constant = 2.705, worst = 1.067, consistent = 2.083, residual = -1.268,
+         score = 1.027;
+} constexpr odds_of_pose;
+struct {
+  double constant = 0.001, best_consistent = 0.762, consistent = 2.102,
+         residual = -0.701, score = 2.063, margin = 0.831;
+} constexpr odds_of_best;
 
 /** Shares and residuals beyond which a logarithm, or more of them, says nothing. */
 constexpr double least_worst = 0.005;
@@ -34,20 +34,26 @@ constexpr double equally_good = 0.7;
 /** The share of a complete cloud that another complete one covers at least. */
 constexpr double complete = 0.9;
 
+/** The logarithm of a consistent share. */
+double
+logConsistent(const Support& support)
+{
+  return std::log(support.consistent + least_consistent);
+}
+
 } // namespace
 
 double
 logOddsOf(const Alternative& alternative)
 {
   const auto& [source, target, residual, noise, reach] = alternative.evidence;
-  return odds_constant +
-         odds_of_worst * std::log(std::max(source.worst, target.worst) + least_worst) +
-         odds_of_consistent *
-             std::log((source.consistent + least_consistent) *
-                      (target.consistent + least_consistent)) /
+  return odds_of_pose.constant +
+         odds_of_pose.worst *
+             std::log(std::max(source.worst, target.worst) + least_worst) +
+         odds_of_pose.consistent * (logConsistent(source) + logConsistent(target)) /
              2.0 +
-         odds_of_residual * std::min(residual, most_residual) +
-         odds_of_score * alternative.overlap.score;
+         odds_of_pose.residual * std::min(residual, most_residual) +
+         odds_of_pose.score * alternative.overlap.score;
 }
 
 double
@@ -55,16 +61,24 @@ confidenceOf(const Alternatives& alternatives)
 {
   if (alternatives.empty())
     return 0.0;
-  const double odds = logOddsOf(alternatives[0]);
+  const Alternative& best = alternatives[0];
   const double margin = alternatives.size() > 1
-                            ? std::abs(odds - logOddsOf(alternatives[1]))
+                            ? std::abs(logOddsOf(best) - logOddsOf(alternatives[1]))
                             : most_margin;
-  const double all = confidence_constant + confidence_of_odds * odds +
-                     confidence_of_margin * std::log1p(std::min(margin, most_margin));
+  const Evidence& evidence = best.evidence;
+  const double of_source = logConsistent(evidence.source);
+  const double of_target = logConsistent(evidence.target);
+  // that scans share no more than a part does not count against the best pose
+  const double odds =
+      odds_of_best.constant +
+      odds_of_best.best_consistent * std::max(of_source, of_target) +
+      odds_of_best.consistent * (of_source + of_target) / 2.0 +
+      odds_of_best.residual * std::min(evidence.residual, most_residual) +
+      odds_of_best.score * best.overlap.score +
+      odds_of_best.margin * std::log1p(std::min(margin, most_margin));
   // no more than so many witnesses can say: Laplace's rule of succession
-  const Evidence& evidence = alternatives[0].evidence;
   const double witnesses = std::min(evidence.source.points, evidence.target.points);
-  return std::min(1.0 / (1.0 + std::exp(-all)), (witnesses + 1.0) / (witnesses + 2.0));
+  return std::min(1.0 / (1.0 + std::exp(-odds)), (witnesses + 1.0) / (witnesses + 2.0));
 }
 
 bool
@@ -76,8 +90,8 @@ areEquallyGood(const Alternative& a, const Alternative& b)
 bool
 isAmbiguous(const Alternatives& alternatives)
 {
-  return alternatives.size() > 1 && logOddsOf(alternatives[0]) >= 0.0 &&
-         areEquallyGood(alternatives[0], alternatives[1]);
+  return alternatives.size() > 1 && areEquallyGood(alternatives[0], alternatives[1]) &&
+         confidenceOf(alternatives) >= 0.5;
 }
 
 Mode

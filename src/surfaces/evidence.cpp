@@ -109,7 +109,7 @@ evidenceAt(const OrientedPoints& source,
            bool scale_is_free)
 {
   const auto scale = static_cast<float>(T_target_source.scale);
-  const float noise = std::max(scale * source.noise, target.noise);
+  const float noise = std::max(scale * source.planes.noise, target.planes.noise);
   Residuals residuals;
   Evidence evidence;
   evidence.source =

@@ -26,12 +26,16 @@ constexpr float near_spacings = 2.5f;
  * a normal distribution is farther. */
 constexpr float within_noise = 2.5f;
 
-/** \brief Noise, in spacings, below which planes of a dozen neighbours cannot be trusted:
- * what a surface bends within them, and what scanners distort. */
-constexpr float least_noise = 0.2f;
+/** \brief Noise, in spacings, below which planes of a dozen neighbours cannot be
+ * trusted: what a surface bends within them, and what scanners distort. */
+constexpr float least_noise = 0.1f;
 
-/** \brief Cosine of the angle between normals that agree. */
+/** \brief Cosine of the angle between normals that agree, where surfaces are smooth. */
 constexpr float agreeing = 0.8f;
+
+/** \brief By how much less than those of neighbours they may agree where they are not,
+ * and the least that still is agreement. */
+constexpr float less_than_neighbours = 0.1f, least_agreeing = 0.3f;
 
 /** \brief By how much a point's distance from its plane changes with shifts along the
  * axes, with turns about them and with the scale, each by as much as moves the cloud by
@@ -79,7 +83,21 @@ public:
   Eigen::Vector3f
   normal(Eigen::Index i) const
   {
-    return rotation_ * cloud_.normals.col(i);
+    return rotation_ * cloud_.planes.normals.col(i);
+  }
+
+  /** \brief How far its neighbours lie off its plane, where they are placed. */
+  float
+  deviation(Eigen::Index i) const
+  {
+    return scale_ * cloud_.planes.deviations[i];
+  }
+
+  /** \brief How well its normal agrees with theirs. */
+  float
+  agreement(Eigen::Index i) const
+  {
+    return cloud_.planes.agreements[i];
   }
 
   /** \brief The spacing of the placed points around it. */
@@ -93,7 +111,7 @@ public:
   bool
   hasSides() const
   {
-    return cloud_.has_sides;
+    return cloud_.planes.has_sides;
   }
 
   /** \brief What a point says about the pose. */
@@ -144,12 +162,19 @@ explanationOf(const OrientedPoints& to,
   if (squared > near_spacings * near_spacings * spacing * spacing)
     return found;
   found.is_near = true;
-  const Eigen::Vector3f to_normal = to.normals.col(other);
+  const TangentPlanes& planes = to.planes;
+  const Eigen::Vector3f to_normal = planes.normals.col(other);
   const float cosine = from.normal(i).dot(to_normal);
-  const float agreement = from.hasSides() && to.has_sides ? cosine : std::abs(cosine);
+  const float agreement =
+      from.hasSides() && planes.has_sides ? cosine : std::abs(cosine);
   const float off = std::abs(to_normal.dot(point - to.points->points().col(other)));
-  found.off = off / std::max(noise, least_noise * spacing);
-  found.is_explained = agreement >= agreeing && found.off <= within_noise;
+  // nearest points say no more than neighbours on their own surfaces would
+  found.off = off / std::max({noise, least_noise * spacing, from.deviation(i),
+                              planes.deviations[other]});
+  const float usual =
+      std::min(from.agreement(i), planes.agreements[other]) - less_than_neighbours;
+  found.is_explained = agreement >= std::clamp(usual, least_agreeing, agreeing) &&
+                       found.off <= within_noise;
   return found;
 }
 

@@ -46,8 +46,8 @@ public:
   at(const Similarity& pose) const
   {
     const PlacedSurface placed(source_, pose);
-    const float noise =
-        std::max(static_cast<float>(pose.scale) * source_.noise, target_.noise);
+    const float noise = std::max(static_cast<float>(pose.scale) * source_.planes.noise,
+                                 target_.planes.noise);
     Counts counts;
     for (Eigen::Index n = 0; n < count_; ++n) {
       const Explanation found =
@@ -114,7 +114,7 @@ std::optional<Similarity>
 skinBeside(const OrientedPoints& source,
            const OrientedPoints& target,
            const Similarity& T_target_source,
-           bool scale_is_free)
+           const ScaleRange& scales)
 {
   const Tellers tellers(source, target);
   const Tellers::Counts here = tellers.at(T_target_source);
@@ -124,11 +124,15 @@ skinBeside(const OrientedPoints& source,
   const float spacing = std::max(scale * median(source.points->spacing()),
                                  median(target.points->spacing()));
   const float reach = near_spacings * spacing;
-  const float step = within_noise * std::max({scale * source.noise, target.noise,
-                                              least_noise * spacing});
+  const float step =
+      within_noise * std::max({scale * source.planes.noise, target.planes.noise,
+                               least_noise * spacing});
+  // but for what rounding adds to a scale at a bound
+  const double smallest = std::min(scales.smallest, T_target_source.scale);
+  const double largest = std::max(scales.largest, T_target_source.scale);
   const PlacedSurface placed(source, T_target_source);
   const Eigen::MatrixXf directions =
-      tellers.directionsAt(T_target_source, scale_is_free ? 7 : 6);
+      tellers.directionsAt(T_target_source, scales.smallest < scales.largest ? 7 : 6);
   Similarity best = T_target_source;
   Eigen::Index most = here.explained;
   for (Eigen::Index d = 0; d < directions.cols(); ++d)
@@ -136,6 +140,8 @@ skinBeside(const OrientedPoints& source,
       for (const float side : {-by, by}) {
         const Similarity pose =
             moved(T_target_source, placed, side * directions.col(d));
+        if (pose.scale < smallest || pose.scale > largest)
+          continue;
         const Eigen::Index explained = tellers.at(pose).explained;
         if (explained > most) {
           most = explained;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "geometry/oriented_points.h"
+#include "geometry/scale_range.h"
 #include "geometry/similarity.h"
 
 #include <optional>
@@ -21,14 +22,14 @@ namespace kss {
  * \param[in] source
  * \param[in] target in the frame that the pose leads to
  * \param[in] T_target_source where ICP has come to rest
- * \param[in] scale_is_free whether the scale may change
+ * \param[in] scales that the pose may have
  * \return where surfaces explain many more of the source's points; none: nowhere near
  */
 std::optional<Similarity>
 skinBeside(const OrientedPoints& source,
            const OrientedPoints& target,
            const Similarity& T_target_source,
-           bool scale_is_free);
+           const ScaleRange& scales);
 
 } // namespace kss
 } // namespace pcl

@@ -218,7 +218,7 @@ TEST(Confidence, DecidesOnConvergence)
   EXPECT_FALSE(registration.hasConverged());
   EXPECT_NE(std::string::npos, registration.getFailureReason().find("do not fit"));
   expectRight(registration, pair);
-  registration.setMinimumConfidence(0.99);
+  registration.setMinimumConfidence(0.9);
   registration.align(output);
   EXPECT_TRUE(registration.hasConverged());
 }

@@ -93,9 +93,9 @@ TEST_F(GivenNormals, ThatChangeAreSeen)
   const auto second = prepared();
   ASSERT_NE(first, second);
   // and used
-  EXPECT_TRUE(first->has_sides && second->has_sides);
-  EXPECT_EQ(first->normals, -second->normals);
-  EXPECT_GT((first->normals.array() * first->dense.points.array())
+  EXPECT_TRUE(first->planes.has_sides && second->planes.has_sides);
+  EXPECT_EQ(first->planes.normals, -second->planes.normals);
+  EXPECT_GT((first->planes.normals.array() * first->dense.points.array())
                 .colwise()
                 .sum()
                 .minCoeff(),

@@ -6,7 +6,6 @@
 
 #include "poses.h"
 
-#include "geometry/normals.h"
 #include "surfaces/evidence.h"
 #include "surfaces/skins.h"
 
@@ -23,8 +22,8 @@ surfaceOf(const Points& points)
   const Surface surface{points, neighbourhoodsOf(points, 12, 1)};
   OrientedPoints oriented;
   oriented.points = std::make_shared<NearestPoints>(surface);
-  oriented.normals = normalsOf(points, surface.neighbourhoods, 1);
-  oriented.noise = noiseAbout(points, surface.neighbourhoods, oriented.normals, 1);
+  oriented.planes.normals = normalsOf(points, surface.neighbourhoods, 1);
+  measureTrust(points, surface.neighbourhoods, 1, oriented.planes);
   return oriented;
 }
 
@@ -76,7 +75,7 @@ TEST(Normals, AreThoseOfASphere)
   double worst = 1.0;
   for (Eigen::Index i = 0; i < points.cols(); ++i)
     worst = std::min<double>(
-        worst, std::abs(sphere.normals.col(i).dot(points.col(i).normalized())));
+        worst, std::abs(sphere.planes.normals.col(i).dot(points.col(i).normalized())));
   EXPECT_GT(worst, 0.95);
 }
 
@@ -84,13 +83,13 @@ TEST(Noise, IsMeasured)
 {
   const Points points = sampled(box({0, 0, 0}, {1, 0.8, 0.6}), 6000, 2);
   for (const double sigma : {0.005, 0.01})
-    EXPECT_NEAR(sigma, surfaceOf(noisy(points, sigma, 3)).noise, 0.3 * sigma);
-  EXPECT_LT(surfaceOf(points).noise, 0.001);
+    EXPECT_NEAR(sigma, surfaceOf(noisy(points, sigma, 3)).planes.noise, 0.3 * sigma);
+  EXPECT_LT(surfaceOf(points).planes.noise, 0.001);
 }
 
 TEST(Noise, IsNotTheOtherSkinOfAWall)
 {
-  EXPECT_LT(surfaceOf(wall(6000, 0.05f, 4, true)).noise, 0.01);
+  EXPECT_LT(surfaceOf(wall(6000, 0.05f, 4, true)).planes.noise, 0.01);
 }
 
 TEST(Evidence, OfTheRightPoseIsNearlyFull)
@@ -141,9 +140,9 @@ TEST(Evidence, OfPartsCountsWhatContradicts)
 TEST(Evidence, HeedsSides)
 {
   OrientedPoints a = surfaceOf(sampled(creature(), 4000, 11)), b = a;
-  a.has_sides = b.has_sides = true;
+  a.planes.has_sides = b.planes.has_sides = true;
   EXPECT_GT(evidenceAt(a, b, Similarity(), false).source.explained, 0.99);
-  b.normals = -b.normals;
+  b.planes.normals = -b.planes.normals;
   EXPECT_EQ(0.0, evidenceAt(a, b, Similarity(), false).source.explained);
 }
 
@@ -151,7 +150,7 @@ TEST(Skin, IsFoundFromBetweenTwo)
 {
   const OrientedPoints source = surfaceOf(wall(5000, 0.0f, 12, false));
   const OrientedPoints target = surfaceOf(wall(10000, 0.04f, 13, true));
-  const auto found = skinBeside(source, target, shifted(0, 0, -0.02), false);
+  const auto found = skinBeside(source, target, shifted(0, 0, -0.02), {1.0, 1.0});
   ASSERT_TRUE(found);
   EXPECT_NEAR(0.02, std::abs(found->translation.z() + 0.02), 0.008);
 }
@@ -160,7 +159,7 @@ TEST(Skin, IsNotSoughtWhereAllIsExplained)
 {
   const OrientedPoints source = surfaceOf(sampled(creature(), 5000, 14));
   const OrientedPoints target = surfaceOf(sampled(creature(), 5000, 15));
-  EXPECT_FALSE(skinBeside(source, target, Similarity(), true));
+  EXPECT_FALSE(skinBeside(source, target, Similarity(), {0.5, 2.0}));
 }
 
 } // namespace

@@ -65,6 +65,22 @@ protected:
     return rows.str();
   }
 
+  /** \brief Rows of points of an open crate. */
+  static std::string
+  crate(int points)
+  {
+    std::mt19937 random(2);
+    std::ostringstream rows;
+    for (int i = 0; i < points; ++i) {
+      double at[] = {random() / 4294967296.0, random() / 4294967296.0,
+                     random() / 4294967296.0};
+      const int side = i % 5;
+      at[side % 3] = side / 3;
+      rows << at[0] << ' ' << 2.0 * at[1] << ' ' << 0.6 * at[2] << '\n';
+    }
+    return rows.str();
+  }
+
   /** \brief Start the tool in the directory with its files. */
   pid_t
   start(std::vector<std::string> arguments) const

@@ -172,16 +172,17 @@ TEST_F(HostileRun, OptionsOutOfAllBounds)
 TEST_F(HostileRun, SaysInItsOwnWordsWhyItIsNotRegistered)
 {
   write("more.xyz", blob(3000));
+  write("other.xyz", crate(3000));
   for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{
-           {"--time-limit", "0.001"}, {"--iterations", "1"}}) {
-    std::vector<std::string> arguments{"more.xyz", "cloud.xyz", "a.ply"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
+           {"more.xyz", "--time-limit", "0.001"}, {"other.xyz"}}) {
+    std::vector<std::string> arguments{"cloud.xyz", "a.ply"};
+    arguments.insert(arguments.begin(), options.begin(), options.end());
     const Outcome outcome = run(arguments);
     expectOneSentence(outcome, {1});
     for (const std::string word : {"set", "()", "Maximum", "rejectors"})
       EXPECT_EQ(std::string::npos, outcome.errors.find(word)) << outcome.errors;
   }
-  EXPECT_EQ((std::set<std::string>{"cloud.xyz", "more.xyz"}), files());
+  EXPECT_EQ((std::set<std::string>{"cloud.xyz", "more.xyz", "other.xyz"}), files());
 }
 
 /** The files of a folder of hostile inputs. */

@@ -73,6 +73,31 @@ expectSeconds(const nlohmann::json& report)
   EXPECT_LE(sum, report.at("seconds").at("total").get<double>());
 }
 
+TEST_F(ToolRun, TakesAGuess)
+{
+  // of poses as good as each other the one nearest to the guess is the result
+  const auto plank = [](const Eigen::Affine3d& turn) {
+    Points points = moved(blob(), turn);
+    for (Eigen::Vector3d& point : points)
+      point = Eigen::Vector3d(3.0, 1.0, 0.4)
+                  .cwiseProduct(point / point.cwiseAbs().maxCoeff());
+    return points;
+  };
+  write("plank.xyz", plank(Eigen::Affine3d::Identity()));
+  write("other.xyz", plank(Eigen::Affine3d(Eigen::AngleAxisd(
+                         1.0, Eigen::Vector3d(1, 2, 3).normalized()))));
+  for (const double angle : {0.0, M_PI}) {
+    const Eigen::Affine3d turn(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
+    std::ofstream guess(directory_ / "guess.txt");
+    guess << turn.matrix() << '\n';
+    guess.close();
+    const Outcome result =
+        search("plank.xyz other.xyz --rigid --guess guess.txt --transform t.txt");
+    ASSERT_EQ(0, result.status) << result.errors;
+    EXPECT_LT((matrixIn(content("t.txt")) - turn.matrix()).norm(), 0.2) << angle;
+  }
+}
+
 TEST_F(ToolRun, RegistersAcrossScaleAndWorld)
 {
   const Outcome result =

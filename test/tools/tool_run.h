@@ -123,6 +123,7 @@ protected:
     write("line.xyz", Points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}});
     write("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     write("short.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
+    write("shear.txt", "1 0 0 0\n0 1 0.5 0\n0 0 1 0\n0 0 0 1\n");
     write("binary.xyz", "1 2 3\n4 \x1b[31m\v\a\r 6\n");
     std::filesystem::create_directory(directory_ / "a_directory.ply");
   }

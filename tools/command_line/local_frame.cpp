@@ -26,6 +26,14 @@ localOrigin(const Points& points)
 }
 
 Eigen::Matrix4d
+toLocalFrames(const Eigen::Matrix4d& transformation,
+              const Eigen::Vector3d& source_origin,
+              const Eigen::Vector3d& target_origin)
+{
+  return fromLocalFrames(transformation, -source_origin, -target_origin);
+}
+
+Eigen::Matrix4d
 fromLocalFrames(const Eigen::Matrix4d& local,
                 const Eigen::Vector3d& source_origin,
                 const Eigen::Vector3d& target_origin)

@@ -16,6 +16,16 @@ namespace tool {
 Eigen::Vector3d
 localOrigin(const Points& points);
 
+/** \brief A transformation between two frames as one between local ones in them.
+ * \param[in] transformation of points in the frames
+ * \param[in] source_origin of the local frame of what is transformed
+ * \param[in] target_origin of the local frame that it is transformed to
+ */
+Eigen::Matrix4d
+toLocalFrames(const Eigen::Matrix4d& transformation,
+              const Eigen::Vector3d& source_origin,
+              const Eigen::Vector3d& target_origin);
+
 /** \brief A transformation between two local frames as one between the frames that they
  * lie in.
  * \param[in] local maps the source's local frame to the target's

@@ -30,6 +30,7 @@ visibleOptions()
   };
   // clang-format off
   options.add_options()
+    ("guess", word("FILE"), "a transformation that may be right, as written")
     ("transform", word("FILE"), "write the transformation: 4x4 numbers, row by row")
     ("report", word("FILE"), "write all results as JSON, also if not registered")
     ("samples", word("N"), "points that stand for a mesh (default 10000)")
@@ -114,6 +115,7 @@ parseOptions(int argc, const char* const* argv)
   options.target = files[1];
   if (files.size() == 3)
     options.aligned = files[2];
+  options.guess = fileName(values, "guess");
   options.transform = fileName(values, "transform");
   options.report = fileName(values, "report");
   ifGiven(values, "samples", [&](const auto& value) {

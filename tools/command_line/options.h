@@ -18,6 +18,8 @@ struct Options {
   Action action = Action::REGISTER;
   /** \brief The files to be registered. */
   std::string source, target;
+  /** \brief The file of a transformation to begin with; empty: none. */
+  std::string guess;
   /** \brief The files to be written; empty: none. */
   std::string aligned, transform, report;
   /** \brief How many points stand for a mesh. */

@@ -10,6 +10,7 @@
 #include "registration.h"
 #include "report.h"
 #include "signals.h"
+#include "transformation_file.h"
 
 #include <pcl/console/print.h>
 #include <pcl/registration/kss/devices.h>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iostream>
+#include <optional>
 
 /** \file
  * The command line tool: registers two files and writes the result.
@@ -75,7 +77,10 @@ pointsOf(const Geometry& geometry, std::size_t samples)
 }
 
 Result
-registerWithProgress(const Geometry& source, const Geometry& target, Options options)
+registerWithProgress(const Geometry& source,
+                     const Geometry& target,
+                     const std::optional<Eigen::Matrix4d>& guess,
+                     Options options)
 {
   ProgressBar bar;
   if (!options.quiet && ProgressBar::hasAudience())
@@ -83,7 +88,7 @@ registerWithProgress(const Geometry& source, const Geometry& target, Options opt
       bar.show(stage, done);
     };
   return registerClouds(pointsOf(source, options.samples),
-                        pointsOf(target, options.samples), options.settings,
+                        pointsOf(target, options.samples), options.settings, guess,
                         options.iterations);
 }
 
@@ -105,8 +110,11 @@ registerFiles(const Options& options)
   const Geometry source = read(options.source, options.quiet);
   const Geometry target = read(options.target, options.quiet);
   outputs.checkFormat(source);
+  std::optional<Eigen::Matrix4d> guess;
+  if (!options.guess.empty())
+    guess = readTransformation(options.guess);
 
-  const Result result = registerWithProgress(source, target, options);
+  const Result result = registerWithProgress(source, target, guess, options);
 
   outputs.write(result, source);
   if (!options.quiet && result.converged) {

@@ -48,6 +48,7 @@ Result
 registerAs(const SurfacePoints& source,
            const SurfacePoints& target,
            const pcl::kss::Settings& settings,
+           const std::optional<Eigen::Matrix4d>& guess,
            int iterations)
 {
   const auto start = std::chrono::steady_clock::now();
@@ -65,7 +66,10 @@ registerAs(const SurfacePoints& source,
   registration.setInputSource(source_cloud);
   registration.setInputTarget(target_cloud);
   pcl::PointCloud<PointT> aligned;
-  registration.align(aligned);
+  if (guess)
+    registration.align(aligned, toLocalFrames(*guess, source_origin, target_origin));
+  else
+    registration.align(aligned);
 
   Result result;
   result.converged = registration.hasConverged();
@@ -102,11 +106,13 @@ Result
 registerClouds(const SurfacePoints& source,
                const SurfacePoints& target,
                const pcl::kss::Settings& settings,
+               const std::optional<Eigen::Matrix4d>& guess,
                int iterations)
 {
   return source.normals.empty() && target.normals.empty()
-             ? registerAs<pcl::PointXYZ>(source, target, settings, iterations)
-             : registerAs<pcl::PointNormal>(source, target, settings, iterations);
+             ? registerAs<pcl::PointXYZ>(source, target, settings, guess, iterations)
+             : registerAs<pcl::PointNormal>(source, target, settings, guess,
+                                            iterations);
 }
 
 } // namespace tool

@@ -12,6 +12,7 @@
 #include <pcl/registration/kss/settings.h>
 #include <pcl/registration/kss/stages.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,12 +61,14 @@ struct Result {
 /** \brief Register two clouds, by their normals, too, where either has some.
  * \param[in] source at least one point finite
  * \param[in] target at least one point finite
+ * \param[in] guess in the coordinates of the files; none: no guess
  * \param[in] iterations of the final ICP at most; 0: as many as the library allows
  */
 Result
 registerClouds(const SurfacePoints& source,
                const SurfacePoints& target,
                const pcl::kss::Settings& settings,
+               const std::optional<Eigen::Matrix4d>& guess,
                int iterations);
 
 } // namespace tool

@@ -102,8 +102,7 @@ KSSICP<PointSource, PointTarget, Scalar>::onSkinBeside(
     const kss::PoseScorer& scorer,
     const Contender& contender)
 {
-  const auto beside =
-      scorer.skinBeside(contender.alternative.transformation, settings_.estimate_scale);
+  const auto beside = scorer.skinBeside(contender.alternative.transformation);
   if (!beside)
     return contender;
   const Contender settled =

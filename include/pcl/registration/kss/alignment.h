@@ -43,11 +43,10 @@ public:
 
   /** \brief A transformation at which the surfaces explain many more of the source's
    * points, near one at which ICP has come to rest: on another skin of a wall, say.
-   * \param[in] scale_is_free whether its scale may be another one
    * \return none where there is no such place
    */
   std::optional<Eigen::Matrix4d>
-  skinBeside(const Eigen::Matrix4d& transformation, bool scale_is_free) const;
+  skinBeside(const Eigen::Matrix4d& transformation) const;
 
   /** \brief The spacing of the points of both clouds where a transformation has placed
    * the source: the wider one, median, in units of the target. */

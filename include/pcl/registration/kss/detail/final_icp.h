@@ -15,8 +15,8 @@ namespace kss {
  * cannot tell: those whose overlap's score is at least this share of the best one. */
 constexpr double hope = 0.75;
 
-/** \brief Where none of them has odds that good, as logarithm, no more are tried than are
- * tried anyway. */
+/** \brief Where none of them has odds that good, as logarithm, no more are tried than
+ * are tried anyway. */
 constexpr double hopeless = -2.0;
 
 /** \brief And, unless the odds of one of them are ten to one, so many of the others. */

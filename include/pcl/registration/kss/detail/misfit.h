@@ -11,8 +11,8 @@
 namespace pcl {
 namespace kss {
 
-/** \brief The score of the overlap of clouds that resemble each other: different objects
- * score 0.33 at most, mirror images 0.41 and more. */
+/** \brief The score of the overlap of clouds that resemble each other: different
+ * objects score 0.33 at most, mirror images 0.41 and more. */
 constexpr double resembling = 0.36;
 
 /** \brief Clouds whose sizes are no farther apart than this are in one unit. */

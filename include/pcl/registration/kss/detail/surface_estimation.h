@@ -28,6 +28,13 @@ class SurfaceEstimation
   using Base =
       registration::TransformationEstimationSVD<PointSource, PointTarget, Scalar>;
 
+  /** Steps whose contraction is averaged: chance makes single ones longer or shorter.
+   */
+  static constexpr std::size_t late_steps = 4;
+
+  /** Beyond, steps hardly end. */
+  static constexpr double strongest_contraction = 0.8;
+
 public:
   using typename Base::Matrix4;
 
@@ -52,6 +59,7 @@ public:
     is_known_.resize(target_size, false);
     linear_ = pose.topLeftCorner<3, 3>();
     last_ = {};
+    moves_.clear();
   }
 
   /** \brief Forget the clouds. */
@@ -96,11 +104,9 @@ public:
         left.largest_scale /= scale;
       }
       pairs_ = pairsOf(source, target, correspondences);
-      const double before = last_.squared_errors_moved;
       last_ = surfaceStep(pairs_, left);
-      if (before > 0.0)
-        settings_.contraction =
-            std::min(0.8, std::sqrt(last_.squared_errors_moved / before));
+      moves_.push_back(last_.squared_errors_moved);
+      settings_.contraction = contraction();
       if (last_.is_found) {
         transformation = last_.transformation.template cast<Scalar>();
         linear_ = last_.transformation.template topLeftCorner<3, 3>() * linear_;
@@ -113,6 +119,17 @@ public:
   }
 
 private:
+  /** By how much steps have become shorter from one to the next, of late. */
+  double
+  contraction() const
+  {
+    const std::size_t steps = std::min(moves_.size() - 1, late_steps);
+    if (steps == 0 || !(moves_.back() > 0.0))
+      return 0.0;
+    const double all = moves_.back() / moves_[moves_.size() - 1 - steps];
+    return std::min(strongest_contraction, std::pow(all, 0.5 / steps));
+  }
+
   template <typename PointT>
   static Eigen::Matrix3Xd
   placesOf(const PointCloud<PointT>& cloud)
@@ -171,6 +188,7 @@ private:
   mutable Eigen::Matrix3d linear_;
   mutable SurfacePairs pairs_;
   mutable SurfaceStep last_;
+  mutable std::vector<double> moves_; ///< squared, of all steps of the run
 };
 
 } // namespace kss

@@ -28,8 +28,8 @@ struct SurfaceStepSettings {
   double rounding_error = 0.0;
   /** \brief How far normals are off, root mean square, in radians. */
   double source_normal_error = 0.0, target_normal_error = 0.0;
-  /** \brief Whether half of the pairs at most may lie on another skin than the right one:
-   * the nearer ones then tell how far off pairs are. */
+  /** \brief Whether half of the pairs at most may lie on another skin than the right
+   * one: the nearer ones then tell how far off pairs are. */
   bool has_skins = false;
   /** \brief The length of a step as a share of the one before, both in standard errors:
    * what matching anew takes back of a step. In [0, 1). */

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
-#include "geometry/normals.h"
+#include "geometry/tangent_planes.h"
 
 #include "geometry/median.h"
 #include "support/parallel.h"
@@ -19,9 +19,9 @@ namespace {
 /** Neighbours that a plane is fitted to: an outlier among them does not turn it. */
 constexpr Eigen::Index plane_neighbours = 12;
 
-/** Neighbours that tell the noise, and how far off a point's plane the farthest of them
- * is, in standard deviations of normal noise: the median of the third smallest of twelve
- * distances. */
+/** Neighbours that tell how far a plane can be trusted, and how far off it the farthest
+ * of the nearer ones is, in standard deviations of normal noise: the median of the
+ * third smallest of twelve distances. */
 constexpr Eigen::Index near_neighbours = 3;
 constexpr float near_neighbour_off = 0.391f;
 
@@ -51,25 +51,33 @@ normalsOf(const Points& points,
   return normals;
 }
 
-float
-noiseAbout(const Points& points,
-           const Neighbourhoods& neighbourhoods,
-           const Points& normals,
-           unsigned int threads)
+void
+measureTrust(const Points& points,
+             const Neighbourhoods& neighbourhoods,
+             unsigned int threads,
+             TangentPlanes& planes)
 {
+  planes.deviations = Eigen::VectorXf::Zero(points.cols());
+  planes.agreements = Eigen::VectorXf::Ones(points.cols());
+  planes.noise = 0.0f;
   const Eigen::Index k = std::min(plane_neighbours, neighbourhoods.indices.rows());
   if (k < near_neighbours)
-    return 0.0f;
-  Eigen::VectorXf noise(points.cols());
+    return;
   inParallel(points.cols(), threads, 500, [&](Eigen::Index i) {
-    float off[plane_neighbours];
-    for (Eigen::Index n = 0; n < k; ++n)
-      off[n] = std::abs(
-          normals.col(i).dot(points.col(neighbourhoods.indices(n, i)) - points.col(i)));
+    float off[plane_neighbours], cosine[near_neighbours];
+    const Eigen::Vector3f normal = planes.normals.col(i);
+    for (Eigen::Index n = 0; n < k; ++n) {
+      const int other = neighbourhoods.indices(n, i);
+      off[n] = std::abs(normal.dot(points.col(other) - points.col(i)));
+      if (n < near_neighbours)
+        cosine[n] = std::abs(normal.dot(planes.normals.col(other)));
+    }
     std::nth_element(off, off + near_neighbours - 1, off + k);
-    noise[i] = off[near_neighbours - 1];
+    planes.deviations[i] = off[near_neighbours - 1] / near_neighbour_off;
+    std::nth_element(cosine, cosine + near_neighbours / 2, cosine + near_neighbours);
+    planes.agreements[i] = cosine[near_neighbours / 2];
   });
-  return median(noise) / near_neighbour_off;
+  planes.noise = median(planes.deviations);
 }
 
 } // namespace kss
