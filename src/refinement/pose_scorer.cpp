@@ -27,11 +27,10 @@ poseOf(const Eigen::Matrix4d& transformation, const ShapePair& shapes)
 }
 
 /** The normals of a shape where it is nearest to positions in its cloud's frame. */
-Points
-normalsOf(const Shape& shape, const Eigen::Matrix3Xd& positions)
+void
+takeNormals(const Shape& shape, const Eigen::Matrix3Xd& positions, Points& normals)
 {
   const Similarity T_shape_cloud = shape.simplified.T_cloud_shape().inverse();
-  Points normals(3, positions.cols());
   for (Eigen::Index i = 0; i < positions.cols(); ++i) {
     const Eigen::Vector3d placed =
         T_shape_cloud.linear() * positions.col(i) + T_shape_cloud.translation;
@@ -39,7 +38,6 @@ normalsOf(const Shape& shape, const Eigen::Matrix3Xd& positions)
     normals.col(i) = shape.surface.planes.normals.col(
         shape.surface.points->nearest(placed.cast<float>(), squared_distance));
   }
-  return normals;
 }
 
 /** Of a plane through a dozen points whose noise is known: they lie a spacing off its
@@ -108,16 +106,16 @@ PoseScorer::spacingAt(const Eigen::Matrix4d& transformation) const
                       median(shapes_->target.all->spacing()));
 }
 
-Points
-PoseScorer::sourceNormals(const Eigen::Matrix3Xd& positions) const
+void
+PoseScorer::sourceNormals(const Eigen::Matrix3Xd& positions, Points& normals) const
 {
-  return normalsOf(shapes_->source, positions);
+  takeNormals(shapes_->source, positions, normals);
 }
 
-Points
-PoseScorer::targetNormals(const Eigen::Matrix3Xd& positions) const
+void
+PoseScorer::targetNormals(const Eigen::Matrix3Xd& positions, Points& normals) const
 {
-  return normalsOf(shapes_->target, positions);
+  takeNormals(shapes_->target, positions, normals);
 }
 
 double

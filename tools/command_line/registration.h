@@ -31,7 +31,7 @@ struct Result {
   pcl::kss::FailureCause cause;
   /** \brief Why it has not converged. */
   std::string reason;
-  /** \brief All distinct poses by falling score, the first one the result; none where
+  /** \brief All distinct poses, the likeliest first: the result; none where
    * there is none. */
   std::vector<Pose> poses;
   double scale;

@@ -56,16 +56,19 @@ public:
   /** \brief Unit normals of the source's surface where it is nearest to positions;
    * their signs mean something only where both clouds have sides.
    * \param[in] positions in the coordinates of the source
+   * \param[out] normals a column per position, which the caller has made: what one side
+   * allocates, the other one cannot free where it is compiled for other vectors
    */
-  Points
-  sourceNormals(const Eigen::Matrix3Xd& positions) const;
+  void
+  sourceNormals(const Eigen::Matrix3Xd& positions, Points& normals) const;
 
   /** \brief Unit normals of the target's surface where it is nearest to positions;
    * their signs mean something only where both clouds have sides.
    * \param[in] positions in the coordinates of the target
+   * \param[out] normals as above
    */
-  Points
-  targetNormals(const Eigen::Matrix3Xd& positions) const;
+  void
+  targetNormals(const Eigen::Matrix3Xd& positions, Points& normals) const;
 
   /** \brief How far the normals of the source are off, typically, in radians. */
   double

@@ -53,8 +53,11 @@ public:
   {
     scorer_ = &scorer;
     settings_ = settings;
-    if (source_normals_.cols() == 0)
-      source_normals_ = scorer.sourceNormals(placesOf(source)).template cast<double>();
+    if (source_normals_.cols() == 0) {
+      Points normals(3, source.size());
+      scorer.sourceNormals(placesOf(source), normals);
+      source_normals_ = normals.template cast<double>();
+    }
     target_normals_.resize(3, target_size);
     is_known_.resize(target_size, false);
     linear_ = pose.topLeftCorner<3, 3>();
@@ -175,7 +178,8 @@ private:
     Eigen::Matrix3Xd places(3, unknown.size());
     for (std::size_t i = 0; i < unknown.size(); ++i)
       places.col(i) = target[unknown[i]].getVector3fMap().template cast<double>();
-    const Points normals = scorer_->targetNormals(places);
+    Points normals(3, unknown.size());
+    scorer_->targetNormals(places, normals);
     for (std::size_t i = 0; i < unknown.size(); ++i)
       target_normals_.col(unknown[i]) = normals.col(i);
   }
