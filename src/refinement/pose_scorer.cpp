@@ -82,7 +82,7 @@ PoseScorer::distance(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) const
   return shapes_->metric.distance(poseOf(a, *shapes_), poseOf(b, *shapes_));
 }
 
-std::optional<Eigen::Matrix4d>
+std::optional<StoredPose>
 PoseScorer::skinBeside(const Eigen::Matrix4d& transformation) const
 {
   if (shapes_->is_noisy)
@@ -92,9 +92,9 @@ PoseScorer::skinBeside(const Eigen::Matrix4d& transformation) const
                       poseOf(transformation, *shapes_), shapes_->scales);
   if (!pose)
     return {};
-  return (shapes_->target.simplified.T_cloud_shape() * *pose *
-          shapes_->source.simplified.T_cloud_shape().inverse())
-      .matrix();
+  return StoredPose((shapes_->target.simplified.T_cloud_shape() * *pose *
+                     shapes_->source.simplified.T_cloud_shape().inverse())
+                        .matrix());
 }
 
 double

@@ -158,6 +158,7 @@ normalEquationsAt(const PairEquations& equations,
     normal.pulls[i] = weight * residuals[i];
     normal.gradient -= normal.pulls[i] * column;
     normal.weights += weight;
+    normal.slopes += root * (1.0 - 5.0 * ratio * ratio);
     squares += normal.pulls[i] * residuals[i];
   }
   normal.variance = std::max(squares / std::max(normal.weights - 7.0, 1.0),

@@ -48,6 +48,8 @@ struct NormalEquations {
   /** \brief Weights times residuals, and the sum of the weights. */
   Eigen::VectorXd pulls;
   double weights = 0.0;
+  /** \brief The sum of the slopes of the pulls: how much they grow with residuals. */
+  double slopes = 0.0;
   /** \brief Mean weighted square of the residuals, no less than rounding's. */
   double variance = 0.0;
 };

@@ -22,6 +22,10 @@ namespace {
  * normals are from) reaches no farther than a few points. */
 constexpr double pairs_in_patch = 40.0;
 
+/** Slopes of the pulls, relative to their weights, that are less are chance: errors of
+ * a normal distribution have 0.83. */
+constexpr double least_slope = 0.3;
+
 /** What the pairs of each patch pull by, together. */
 std::vector<Change>
 pullsOfPatches(const PairEquations& equations, const NormalEquations& normal)
@@ -80,7 +84,10 @@ surfacePrecision(const SurfacePairs& pairs,
   variance = std::max(variance, normal.variance);
   // matches and weights follow the pose and take back a part of what the equations
   // promise: the error is larger by as much as steps fall short
-  const double kept = 1.0 - settings.contraction;
+  // (what weights take back, the slope of the pulls tells; about half of that is in the
+  // contraction of the steps already, by Monte Carlo)
+  const double slope = std::max(normal.slopes / normal.weights, least_slope);
+  const double kept = std::sqrt(slope) * (1.0 - settings.contraction);
   variance /= kept * kept;
   for (int i = 0; i < n; ++i) {
     const Eigen::VectorXd direction = solver.eigenvectors().col(i);

@@ -85,7 +85,7 @@ TEST(KSSICP, TellsHowItWent)
   ASSERT_FALSE(alternatives.empty());
   EXPECT_EQ(poseFrom(registration), alternatives.front().transformation);
   EXPECT_EQ(registration.getOverlap().score, alternatives.front().overlap.score);
-  // the result, then the others by falling score
+  // the result, then the others, here by falling score
   for (std::size_t i = 2; i < alternatives.size(); ++i)
     EXPECT_GE(alternatives[i - 1].overlap.score, alternatives[i].overlap.score);
   EXPECT_NEAR(1.5, registration.getOverlap().score, 0.15);

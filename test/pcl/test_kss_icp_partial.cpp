@@ -186,6 +186,13 @@ TEST(Scale, StaysInTheRangeThatWasSet)
   registration.align(output);
   EXPECT_NEAR(2.0, registration.getScale(), 2e-5);
   expectRight(registration, pair);
+  EXPECT_EQ(6, registration.getCovariance().rows());
+  // 1 explains a pose of scale 1 as well, and is not in the range
+  auto metric = pairOf(randomRigid(28), 29);
+  setClouds(registration, metric);
+  registration.setScaleRange(1.005, 1.1);
+  registration.align(output);
+  EXPECT_GE(registration.getScale(), 1.005 * (1.0 - 1e-5));
 }
 
 TEST(Paper, SettingsRegisterCompleteClouds)

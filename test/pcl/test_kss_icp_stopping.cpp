@@ -13,6 +13,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <thread>
 
 namespace {
@@ -74,7 +75,7 @@ protected:
     EXPECT_EQ(fresh.getFinalTransformation(), registration_.getFinalTransformation());
   }
 
-  const Pair<> pair_;
+  Pair<> pair_;
   KSSICP registration_;
   Cloud output_;
   int calls_ = 0;
@@ -252,6 +253,12 @@ TEST_F(Stopping, WhateverAVisualizerThrows)
   EXPECT_FALSE(registration_.hasConverged());
   EXPECT_EQ(FailureCause::OTHER, registration_.getFailureCause());
   EXPECT_EQ(pair_.source, registration_.getInputSource());
+  // and nothing of those clouds is left for others
+  calls = std::numeric_limits<int>::min();
+  pair_ = pairOf(sampled(creature(), 3000, 80), sampled(creature(), 3500, 81),
+                 randomRigid(82));
+  setClouds(registration_, pair_);
+  expectAsGoodAsNew();
 }
 
 TEST_F(Stopping, WithoutThreads)

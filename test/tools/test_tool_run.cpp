@@ -43,7 +43,7 @@ matrixIn(const std::string& content)
   return matrix;
 }
 
-/** The alternatives are the result, then others by falling score. */
+/** The alternatives are the result, then others, here by falling score. */
 void
 expectAlternatives(const nlohmann::json& report)
 {

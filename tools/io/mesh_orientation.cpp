@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <tuple>
 
 namespace tool {
@@ -53,6 +54,12 @@ sortedEdges(const Faces& faces, const std::vector<std::size_t>& welded)
   std::vector<Edge> edges;
   for (std::size_t face = 0; face < faces.size(); ++face) {
     const auto& corners = faces[face].vertices;
+    // what has no area has no neighbours
+    std::set<std::size_t> distinct;
+    for (const auto corner : corners)
+      distinct.insert(welded[corner]);
+    if (distinct.size() < 3)
+      continue;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const std::size_t from = welded[corners[i]];
       const std::size_t to = welded[corners[(i + 1) % corners.size()]];

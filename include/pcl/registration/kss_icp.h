@@ -61,7 +61,8 @@ namespace pcl {
  * (setMaximumIterations); a relative change of the mean squared error below 1e-5
  * (setEuclideanFitnessEpsilon), an unchanged transformation (setTransformationEpsilon
  * 0) or a step of less than a tenth of the pose's standard error ends it: all are free
- * of units; a run that still moves at the iteration limit has not converged
+ * of units; a run that moves by more than that error at the iteration limit has not
+ * converged
  * (getConvergeCriteria()->setFailureAfterMaximumIterations(false) restores ICP's
  * reading). Correspondences longer than a few point spacings are left out, since one of
  * the points has no counterpart, unless the mode is GLOBAL_GLOBAL;
@@ -399,7 +400,8 @@ public:
    * the target, and, where the scale is estimated, of the logarithm of the scale.
    *
    * The true pose is x -> c + d + e^s exp([r]) (x' - c), x' being where the result
-   * takes x to, c where it takes the mean of the source's finite (indexed) points to,
+   * takes x to, c where it takes the mean of the source's (indexed) points to, without
+   * those that are not finite or far from all others (getNumberOfFarPoints()),
    * and (r, d, s) of zero mean and this covariance. It comes from the distances to
    * tangent planes and from how much they scatter from patch to patch, which has the
    * noise of both clouds in it. It is that of the listed pose alone: where
@@ -438,7 +440,8 @@ public:
   }
 
   /** \brief Get the distinct poses that competed: the final transformation, then the
-   * others by falling score of their overlap.
+   * others, the likeliest first, in the end those that the final ICP has not run from,
+   * of which surfaces have not been asked: their evidence is zero.
    */
   const kss::Alternatives&
   getAlternatives() const
@@ -526,6 +529,7 @@ private:
   struct Contender {
     Alternative alternative;
     std::shared_ptr<Run> run;
+    bool is_guess = false; ///< whether it began with the guess, which keeps its scale
   };
 
   /** \brief Take settings; say which are refused, and keep those before. */

@@ -194,12 +194,19 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
   std::vector<Contender> contenders;
   for (const Alternative& alternative : aligned.alternatives)
     contenders.push_back({alternative, {}});
+  // whatever ends it, a callback's exception too, no cloud is kept
+  struct Finish {
+    KSSICP& icp;
+    ~Finish()
+    {
+      if (auto* surfaces =
+              dynamic_cast<kss::SurfaceEstimation<PointSource, PointTarget, Scalar>*>(
+                  icp.transformation_estimation_.get()))
+        surfaces->finish();
+    }
+  } finish{*this};
   const std::string stopped =
       settle(kss::pointsAt(*input_, used), aligned.scorer, guessed, contenders);
-  if (auto* surfaces =
-          dynamic_cast<kss::SurfaceEstimation<PointSource, PointTarget, Scalar>*>(
-              this->transformation_estimation_.get()))
-    surfaces->finish();
   accept(contenders.front(), used);
   list(contenders, aligned.scorer);
   stages_.end();

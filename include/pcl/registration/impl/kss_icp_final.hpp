@@ -28,7 +28,7 @@ KSSICP<PointSource, PointTarget, Scalar>::settle(
     std::vector<Contender>& contenders)
 try {
   if (guess) {
-    contenders.insert(contenders.begin(), {scorer.scored(*guess), {}});
+    contenders.insert(contenders.begin(), {scorer.scored(*guess), {}, true});
     std::stable_sort(contenders.begin() + 1, contenders.end(), hasMoreOverlap);
   }
   int runs = 0;
@@ -39,8 +39,9 @@ try {
     const bool is_doubtful = best < kss::doubtless && runs < kss::most_final_icps;
     if (runs > 0 && !may_be_right && !is_doubtful)
       break;
-    const bool is_guess = guess && runs == 0; // which keeps its scale
+    const bool is_guess = contender.is_guess;
     contender = finalICP(source, scorer, contender.alternative, !is_guess);
+    contender.is_guess = is_guess;
     ++runs;
     best = std::max(best, kss::logOddsOf(contender.alternative));
     closest = std::max(closest, contender.alternative.overlap.score);
@@ -73,6 +74,8 @@ KSSICP<PointSource, PointTarget, Scalar>::isMoreLikely(const Contender& a,
 {
   if (static_cast<bool>(a.run) != static_cast<bool>(b.run))
     return static_cast<bool>(a.run);
+  if (!a.run)
+    return hasMoreOverlap(a, b);
   return kss::logOddsOf(a.alternative) > kss::logOddsOf(b.alternative);
 }
 
@@ -90,6 +93,7 @@ KSSICP<PointSource, PointTarget, Scalar>::preferNearest(
   auto nearest = contenders.begin();
   for (auto other = contenders.begin() + 1; other != contenders.end(); ++other)
     if (other->run && kss::areEquallyGood(best, other->alternative) &&
+        other->alternative.overlap.score >= kss::same_score * best.overlap.score &&
         distance(*other) < distance(*nearest))
       nearest = other;
   std::rotate(contenders.begin(), nearest, nearest + 1);
@@ -105,8 +109,9 @@ KSSICP<PointSource, PointTarget, Scalar>::onSkinBeside(
   const auto beside = scorer.skinBeside(contender.alternative.transformation);
   if (!beside)
     return contender;
-  const Contender settled =
-      finalICP(source, scorer, scorer.scored(*beside), true, true);
+  Contender settled =
+      finalICP(source, scorer, scorer.scored(*beside), !contender.is_guess, true);
+  settled.is_guess = contender.is_guess;
   return isMoreLikely(settled, contender) ? settled : contender;
 }
 
@@ -119,7 +124,10 @@ KSSICP<PointSource, PointTarget, Scalar>::atScaleOne(
 {
   const Eigen::Matrix4d& pose = contender.alternative.transformation;
   const double scale = kss::scaleOf(pose);
-  if (std::abs(std::log(scale)) > kss::nearly_scale_one)
+  const bool may_be_one =
+      settings_.smallest_scale <= 1.0 && settings_.largest_scale >= 1.0;
+  if (contender.is_guess || !may_be_one ||
+      std::abs(std::log(scale)) > kss::nearly_scale_one)
     return contender;
   Eigen::Matrix4d metric = pose;
   metric.topLeftCorner<3, 3>() /= scale;
@@ -170,7 +178,9 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(
           this->transformation_estimation_.get());
   if (surfaces) {
     kss::SurfaceStepSettings steps;
-    if (estimate_scale && settings_.estimate_scale) {
+    // one value: it is known, and the pose has it
+    const bool is_known = settings_.smallest_scale >= settings_.largest_scale;
+    if (estimate_scale && settings_.estimate_scale && !is_known) {
       steps.smallest_scale = settings_.smallest_scale;
       steps.largest_scale = settings_.largest_scale;
     }

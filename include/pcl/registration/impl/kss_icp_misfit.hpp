@@ -22,6 +22,7 @@ KSSICP<PointSource, PointTarget, Scalar>::whatWouldFit(double given_scale)
     const auto mirrored = pcl::make_shared<PointCloudSource>();
     copyIndexedSource(*mirrored);
     for (PointSource& point : *mirrored) {
+      point.getVector3fMap() *= static_cast<float>(given_scale);
       point.getVector3fMap().x() *= -1.0f;
       if constexpr (traits::has_normal<PointSource>::value)
         point.getNormalVector3fMap().x() *= -1.0f;

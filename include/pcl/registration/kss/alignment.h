@@ -25,8 +25,8 @@ public:
   /** \param[in] shapes the two clouds; kept */
   explicit PoseScorer(std::shared_ptr<const ShapePair> shapes);
 
-  /** \brief A transformation with its overlap, which ranks it among the alternatives;
-   * none where it is no similarity, or one of a scale that determines no pose.
+  /** \brief A transformation with its overlap and evidence, which rank it; none where
+   * it is no similarity, or one of a scale that determines no pose.
    */
   Alternative
   scored(const Eigen::Matrix4d& transformation) const;
@@ -45,7 +45,7 @@ public:
    * points, near one at which ICP has come to rest: on another skin of a wall, say.
    * \return none where there is no such place
    */
-  std::optional<Eigen::Matrix4d>
+  std::optional<StoredPose>
   skinBeside(const Eigen::Matrix4d& transformation) const;
 
   /** \brief The spacing of the points of both clouds where a transformation has placed

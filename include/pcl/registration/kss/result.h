@@ -36,11 +36,12 @@ struct Alternative {
   StoredPose transformation;
   /** \brief How much of the clouds lies on each other there. */
   Overlap overlap;
-  /** \brief What the surfaces of the clouds say of it. */
+  /** \brief What the surfaces of the clouds say of it; zero where they have not been
+   * asked, as of a pose that the final ICP has not run from. */
   Evidence evidence = {};
 };
 
-/** \brief Poses by falling score of their overlap. */
+/** \brief Poses, the best first. */
 using Alternatives = std::vector<Alternative>;
 
 /** \brief How many points of two clouds are too far away from the others to be held. */

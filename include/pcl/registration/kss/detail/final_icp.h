@@ -30,6 +30,10 @@ constexpr double nearly_scale_one = 0.12;
 /** \brief Correspondences of the final ICP are no longer than so many spacings. */
 constexpr double final_icp_reach = 4.0;
 
+/** \brief Poses whose scores are that near, as a ratio, may be equal: of two samplings
+ * of a symmetric shape. */
+constexpr double same_score = 0.97;
+
 /** \brief The share of the score that a pose may lose to the final ICP: what chance
  * causes. */
 constexpr double final_icp_loss = 0.01;

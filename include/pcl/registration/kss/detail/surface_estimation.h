@@ -41,6 +41,7 @@ public:
   /** \brief Begin a run of ICP.
    * \param[in] scorer knows the surfaces
    * \param[in] source the points that take part, as they are
+   * \param[in] target_size number of points of the target
    * \param[in] pose where the run starts
    * \param[in] settings of the steps; the scale's bounds are those of the whole run
    */
@@ -71,7 +72,9 @@ public:
   {
     scorer_ = nullptr;
     source_normals_.resize(3, 0);
+    target_normals_.resize(3, 0);
     is_known_.clear();
+    moves_.clear();
   }
 
   /** \brief The last step. */
@@ -189,7 +192,7 @@ private:
   Eigen::Matrix3Xd source_normals_{3, 0};
   mutable Points target_normals_;
   mutable std::vector<bool> is_known_;
-  mutable Eigen::Matrix3d linear_;
+  mutable Eigen::Matrix3d linear_ = Eigen::Matrix3d::Identity();
   mutable SurfacePairs pairs_;
   mutable SurfaceStep last_;
   mutable std::vector<double> moves_; ///< squared, of all steps of the run
