@@ -24,8 +24,9 @@ KINDS = {
     "whole": (40, 30), "large": (6, 4), "noisy": (50, 26), "one_sided": (16, 4),
     "uneven": (20, 8), "sparse": (40, 24), "stray": (26, 10), "cut": (50, 30),
     "both_cut": (70, 34), "one_view": (56, 26), "two_views": (70, 34), "distorted": (60, 30),
-    "on_table": (30, 16),    "panel_skin": (44, 10), "as_built": (60, 30), "two_sides": (24, 12), "symmetric": (34, 14),
-    "similar": (44, 50), "scale_free": (44, 16), "mirror": (0, 34), "small_on_big": (0, 28),
+    "on_table": (30, 16), "panel_skin": (44, 10), "as_built": (60, 30),
+    "two_sides": (24, 12), "symmetric": (34, 14), "similar": (44, 50),
+    "scale_free": (44, 16), "mirror": (0, 34), "small_on_big": (0, 28),
     "room": (70, 34), "corridor": (26, 10), "street": (60, 28), "in_room": (30, 30)}
 
 

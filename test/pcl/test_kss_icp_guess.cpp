@@ -148,6 +148,18 @@ TEST(KSSICP, IsNeverWorseThanICPFromTheGuess)
     EXPECT_LT(ours, theirs) << seed;
     // surfaces determine it more closely than points do
     EXPECT_LT(ours, 0.01) << seed;
+    // and its score is that of the pose
+    const auto local = [](const Cloud& cloud) {
+      return pcl::kss::toLocalCloud(
+          cloud, pcl::kss::usablePoints(cloud, pcl::kss::allIndices(cloud)));
+    };
+    pcl::kss::Stages stages;
+    const pcl::kss::PoseScorer scorer =
+        pcl::kss::Alignment(trial.registration.getSettings())
+            .align(local(*pair.source), local(*pair.target), {}, stages)
+            .scorer;
+    EXPECT_NEAR(scorer.scored(poseFrom(trial.registration)).overlap.score,
+                trial.registration.getOverlap().score, 1e-6);
   }
 }
 

@@ -68,6 +68,7 @@ TEST(Ambiguity, IsASecondPoseThatIsAboutAsGood)
   EXPECT_TRUE(isAmbiguous(listed({0.9, 0.89})));
   EXPECT_TRUE(isAmbiguous(listed({0.9, 0.88, 0.1})));
   EXPECT_FALSE(isAmbiguous(listed({0.9, 0.5})));
+  EXPECT_FALSE(isAmbiguous(listed({0.9, 0.2, 0.2})));
   // where nothing fits, nothing is ambiguous
   EXPECT_FALSE(isAmbiguous(listed({0.02, 0.02})));
 }
@@ -78,6 +79,10 @@ TEST(Misfit, IsSaidInPercent)
   evidence.target.explained = 0.426;
   EXPECT_NE(std::string::npos,
             misfitAt(evidence).find("0 % of the source and 43 % of the target"));
+  evidence.source.explained = 1.0;
+  evidence.target.explained = 0.42;
+  EXPECT_NE(std::string::npos,
+            misfitAt(evidence).find("100 % of the source and 42 % of the target"));
 }
 
 } // namespace
