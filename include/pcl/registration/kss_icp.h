@@ -526,7 +526,7 @@ private:
   /** \brief A pose that competes to be the result; one that the search found has no run
    * of the final ICP yet.
    */
-  struct Contender {
+  struct PCL_KSS_ICP_NO_EXPORT Contender { // nor what sorts them is exported
     Alternative alternative;
     std::shared_ptr<Run> run;
     bool is_guess = false; ///< whether it began with the guess, which keeps its scale
