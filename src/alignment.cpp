@@ -6,12 +6,15 @@
 
 #include <pcl/registration/kss/detail/stopping.h>
 
-#include "candidates/numbers.h"
 #include "geometry/pre_shape.h"
+#include "levels.h"
 #include "preparation/preparation.h"
 #include "preparation/shape_pair.h"
 #include "refinement/selection.h"
 #include "search/candidate_search.h"
+
+#include <algorithm>
+#include <string>
 
 namespace pcl {
 namespace kss {
@@ -51,12 +54,12 @@ catch (const Stopped&) {
 std::vector<JudgedPose>
 refined(const std::vector<Minimum>& minima,
         const ShapePair& shapes,
+        const SelectionEffort& effort,
         CandidateSearch& search,
         const Settings& settings,
         const std::function<void(double)>& done)
 {
-  const double reach = search_numbers::reachOf(numberOfRotations(settings));
-  const Selection selection(shapes, reach, settings.threads);
+  const Selection selection(shapes, effort, settings.threads);
   const Minimum& initial = minima.front();
   if (settings.additional_process_threshold > 0.0) {
     auto judged = selection.best({initial.pose}, [](double) {});
@@ -67,6 +70,28 @@ refined(const std::vector<Minimum>& minima,
   for (const Minimum& minimum : minima)
     poses.push_back(minimum.pose);
   return selection.best(poses, done);
+}
+
+/** The logarithm of the odds from which on a pose needs no finer search: the wrong ones
+ * of what is symmetric but for a little stay below. */
+constexpr double convincing = 1.0;
+
+/** Leave the distinct ones, the likeliest first, and not too many of them. */
+void
+keepTheLikeliest(const PoseScorer& scorer, Alternatives& alternatives)
+{
+  std::stable_sort(alternatives.begin(), alternatives.end(),
+                   [](const Alternative& a, const Alternative& b) {
+                     return logOddsOf(a) > logOddsOf(b);
+                   });
+  Alternatives kept;
+  for (const Alternative& alternative : alternatives)
+    if (kept.size() < most_alternatives &&
+        std::none_of(kept.begin(), kept.end(), [&](const Alternative& other) {
+          return scorer.areSame(alternative.transformation, other.transformation);
+        }))
+      kept.push_back(alternative);
+  alternatives = kept;
 }
 
 } // namespace
@@ -99,24 +124,40 @@ Alignment::align(const LocalCloud& source,
   shapes = shapePair(clouds, guessed_scale, settings, shapes.get());
   stages.end();
 
-  // E_d of (e9) or E_cd of (e122), and its minima over {O} and {C}: (e10), (e13)
-  stages.begin("search");
-  const std::vector<Minimum> minima = search.localMinima(
-      shapes->source.simplified.points, shapes->target.simplified.points,
-      shapes->scales, shapes->metric, done);
-  stages.end();
-
-  // (e7), (e8) and (e12); T of (e11) is left to the clouds themselves
-  stages.begin("refinement");
+  // from coarse to fine, until a pose convinces
+  const PoseScorer scorer(shapes);
   const Similarity T_target_shape = shapes->target.simplified.T_cloud_shape();
   const Similarity T_shape_source = shapes->source.simplified.T_cloud_shape().inverse();
   Alternatives alternatives;
-  for (const auto& [pose, overlap] : refined(minima, *shapes, search, settings, done))
-    // what surfaces say is asked where the final ICP has laid them on each other
-    alternatives.push_back(
-        {(T_target_shape * pose * T_shape_source).matrix(), overlap, {}});
-  stages.end();
-  return {alternatives, PoseScorer(shapes)};
+  for (const SearchLevel& level : levelsFor(settings, *shapes))
+    try {
+      const std::string prefix = level.prefix;
+
+      // E_d of (e9) or E_cd of (e122), and its minima over {O} and {C}: (e10), (e13)
+      stages.begin(prefix + "search");
+      const std::vector<Minimum> minima = search.localMinima(
+          shapes->source.simplified.points, shapes->target.simplified.points,
+          shapes->scales, shapes->metric, level.grain, done);
+      stages.end();
+
+      // (e7), (e8) and (e12); T of (e11) is left to the clouds themselves
+      stages.begin(prefix + "refinement");
+      for (const auto& [pose, overlap] :
+           refined(minima, *shapes, level.selection, search, settings, done))
+        alternatives.push_back(
+            scorer.scored((T_target_shape * pose * T_shape_source).matrix()));
+      stages.end();
+
+      keepTheLikeliest(scorer, alternatives);
+      if (logOddsOf(alternatives.front()) >= convincing)
+        break;
+    }
+    catch (const Stopped&) {
+      if (alternatives.empty())
+        throw;
+      break;
+    }
+  return {alternatives, scorer};
 }
 
 const Settings&

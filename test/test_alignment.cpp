@@ -172,7 +172,7 @@ TEST(Alignment, IsThatOfThePaperIfAskedFor)
   EXPECT_LT(displacement(found.front().transformation, truth, source), 0.03);
 }
 
-TEST(Alignment, ListsDistinctPosesByFallingScore)
+TEST(Alignment, ListsDistinctPosesTheLikeliestFirst)
 {
   const Points source = sampled(creature(), 3000, 29);
   const Points target = sampled(creature(), 3000, 30);
@@ -187,7 +187,7 @@ TEST(Alignment, ListsDistinctPosesByFallingScore)
     EXPECT_NEAR(judged.overlap.source, found[i].overlap.source, 2e-3);
     EXPECT_NEAR(judged.overlap.target, found[i].overlap.target, 2e-3);
     for (std::size_t j = 0; j < i; ++j) {
-      EXPECT_GE(found[j].overlap.score, found[i].overlap.score);
+      EXPECT_GE(logOddsOf(found[j]), logOddsOf(found[i]));
       EXPECT_FALSE(scorer.areSame(found[i].transformation, found[j].transformation));
     }
   }

@@ -4,6 +4,9 @@ import csv
 
 import numpy as np
 
+SMALL_OBJECT = .6   # what is smaller than so much of the other cloud may be one
+BLURRED = 1 / 3      # how near counts as near, by the object: beyond, a scene is blurred
+
 TEXT = ("case", "kind", "split", "objects", "scaling")
 
 
@@ -17,7 +20,25 @@ def read(*paths):
     columns = {name: np.array([row[name] for row in found]) if name in TEXT else
                np.array([float(row[name] or "nan") for row in found])
                for name in rows[0]}
-    return columns, len(rows) - len(found)
+    return with_scenes(columns), len(rows) - len(found)
+
+
+def with_scenes(columns):
+    """Of an object in a scene only what its own points say counts, twice, as witnessesOf()
+    in src/surfaces/confidence.cpp has it. Tables made before poses had a size show none."""
+    size = columns.get("size", np.ones(len(columns["rank"])))
+    size = np.where(size > 0, size, 1)
+    seen = (np.minimum(size, 1 / size) < SMALL_OBJECT) & (columns["reach"] <= BLURRED)
+    for object_, scene, own, small in (("source", "target", "overlap_0", size < 1),
+                                       ("target", "source", "overlap_1", size > 1)):
+        rows = seen & small
+        both = np.maximum(columns["overlap_0"] + columns["overlap_1"], 1e-9)
+        columns["score"] = np.where(rows, columns["score"] * 2 * columns[own] / both,
+                                    columns["score"])
+        for name in ("near", "explained", "worst", "consistent", "points"):
+            columns[f"{scene}_{name}"] = np.where(rows, columns[f"{object_}_{name}"],
+                                                  columns[f"{scene}_{name}"])
+    return columns
 
 
 def chosen(columns, rows):

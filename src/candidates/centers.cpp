@@ -71,7 +71,7 @@ paperCenters(const Points& cloud)
 }
 
 CandidateCenters
-spreadCenters(const Points& cloud, double reach, double step)
+spreadCenters(const Points& cloud, double reach, double step, double most)
 {
   const Eigen::Matrix3Xd points = cloud.cast<double>();
   const Eigen::Matrix3d scatter = points * points.transpose() / points.cols();
@@ -81,7 +81,7 @@ spreadCenters(const Points& cloud, double reach, double step)
   for (;; step *= 1.1) {
     // rounding aside, and a flat cloud is thin, not a box
     half = (radius < 0.05 * step).select(0, (radius / step - 1e-3).ceil().max(0.0));
-    if ((2.0 * half + 1.0).prod() <= most_centers)
+    if ((2.0 * half + 1.0).prod() <= most)
       break;
   }
   const Eigen::Array3i n =

@@ -6,6 +6,8 @@
 
 #include <pcl/registration/kss/detail/points.h>
 
+#include "candidates/numbers.h"
+
 #include <array>
 #include <vector>
 
@@ -45,11 +47,15 @@ paperCenters(const Points& cloud);
  * lie twice as far apart.
  * \param[in] cloud a pre-shape
  * \param[in] reach how far the box reaches, in standard deviations along each axis
- * \param[in] step the largest distance of adjacent centres, unless more than ten
- * thousand centres would be needed
+ * \param[in] step the largest distance of adjacent centres, unless more than \a most
+ * centres would be needed
+ * \param[in] most how many there may be
  */
 CandidateCenters
-spreadCenters(const Points& cloud, double reach, double step);
+spreadCenters(const Points& cloud,
+              double reach,
+              double step,
+              double most = search_numbers::most_centers);
 
 } // namespace kss
 } // namespace pcl

@@ -66,12 +66,6 @@ reachOf(std::size_t rotations)
 
 // How much is done.
 
-/** Candidates of a sweep that are evaluated after screening, about. */
-constexpr std::size_t most_screened = 8000;
-
-/** Minima of an energy that are refined at most. */
-constexpr std::size_t most_minima = 80;
-
 /** Candidates that are evaluated at once: more would take memory for nothing. */
 constexpr std::size_t at_once = 1 << 16;
 

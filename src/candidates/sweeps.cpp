@@ -38,11 +38,13 @@ public:
   SweepMaker(const Settings& settings,
              const Points& source,
              const Points& target,
-             const ScaleRange& scales)
+             const ScaleRange& scales,
+             const Grain& grain)
   : settings_(settings)
   , source_(source)
   , target_(target)
   , scales_(scales)
+  , grain_(grain)
   , rotations_(candidateRotations(settings))
   {
   }
@@ -78,12 +80,12 @@ public:
   {
     // Unknown scales make the search so much longer that one cloud is then expected to
     // be nearly complete, if it may be.
-    CenterGrid on_source =
-        scales_.smallest == scales_.largest || !or_a_part ? of_two_parts : of_a_part;
+    CenterGrid on_source = scales_.smallest == scales_.largest || !or_a_part
+                               ? grain_.two_parts
+                               : of_a_part;
     CenterGrid on_target = on_source;
     // the larger cloud sets how far its centre can be away
-    const double ratio = rootMeanSquareRadius(source_, Eigen::Vector3f::Zero()) /
-                         rootMeanSquareRadius(target_, Eigen::Vector3f::Zero());
+    const double ratio = sizeRatio();
     on_target.reach *= std::max(1.0, ratio);
     on_source.reach *= std::max(1.0, 1.0 / ratio);
     // A part is smaller than the whole, its pre-shape too large: what is turned upon
@@ -96,8 +98,26 @@ public:
             onSource(grown, on_source, {both, fromTarget()})};
   }
 
+  /** The smaller cloud lies anywhere in the larger one, among other things. */
+  std::vector<Sweep>
+  inScene() const
+  {
+    constexpr Weights from_source{1.0f, 0.0f}, from_target{0.0f, 1.0f};
+    if (sizeRatio() <= 1.0)
+      return {onTarget(scales_, grain_.two_parts, {from_source})};
+    return {onSource(scales_, grain_.two_parts, {from_target})};
+  }
+
 private:
   static constexpr Weights both{1.0f, 1.0f};
+
+  /** How much larger the source is than the target. */
+  double
+  sizeRatio() const
+  {
+    return rootMeanSquareRadius(source_, Eigen::Vector3f::Zero()) /
+           rootMeanSquareRadius(target_, Eigen::Vector3f::Zero());
+  }
 
   float
   other() const
@@ -142,7 +162,15 @@ private:
   {
     return settings_.center_set == CenterSet::PAPER
                ? paperCenters(cloud)
-               : spreadCenters(cloud, centers.reach, centers.step);
+               : spreadCenters(cloud, centers.reach, centers.step, mostCenters());
+  }
+
+  double
+  mostCenters() const
+  {
+    return std::clamp(grain_.most_candidates /
+                          static_cast<double>(rotations_->rotations().size()),
+                      1.0, most_centers);
   }
 
   /** The paper knows no scale but that of the pre-shapes. */
@@ -157,6 +185,7 @@ private:
   const Settings& settings_;
   const Points &source_, &target_;
   const ScaleRange& scales_;
+  const Grain& grain_;
   std::shared_ptr<const CandidateRotations> rotations_;
 };
 
@@ -166,9 +195,12 @@ std::vector<Sweep>
 sweepsOf(const Settings& settings,
          const Points& source,
          const Points& target,
-         const ScaleRange& scales)
+         const ScaleRange& scales,
+         const Grain& grain)
 {
-  const SweepMaker sweeps(settings, source, target, scales);
+  const SweepMaker sweeps(settings, source, target, scales, grain);
+  if (grain.in_scene)
+    return sweeps.inScene();
   switch (settings.mode) {
   case Mode::GLOBAL_GLOBAL:
     return sweeps.global();
@@ -176,6 +208,7 @@ sweepsOf(const Settings& settings,
     return sweeps.partOfWhole();
   case Mode::PARTIAL_PARTIAL:
     return sweeps.twoParts(false);
+  case Mode::IN_SCENE:
   case Mode::AUTOMATIC:
     break;
   }

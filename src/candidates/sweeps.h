@@ -8,6 +8,7 @@
 
 #include "candidates/candidates.h"
 #include "candidates/energy.h"
+#include "candidates/grain.h"
 #include "geometry/scale_range.h"
 
 #include <vector>
@@ -28,17 +29,21 @@ struct Sweep {
  * larger scales where the scale is unknown, since a part has not the size of the whole.
  * PARTIAL_PARTIAL and AUTOMATIC: {C} x {O} and all scales; AUTOMATIC asks the same
  * distances for the minima of all energies.
+ * IN_SCENE, or where the grain says so: {C} of the larger cloud, and distances from the
+ * smaller one alone.
  *
  * \param[in] settings mode and sets of candidates
  * \param[in] source points of a pre-shape
  * \param[in] target points of a pre-shape
  * \param[in] scales scales to consider
+ * \param[in] grain how close centres lie
  */
 std::vector<Sweep>
 sweepsOf(const Settings& settings,
          const Points& source,
          const Points& target,
-         const ScaleRange& scales);
+         const ScaleRange& scales,
+         const Grain& grain);
 
 } // namespace kss
 } // namespace pcl

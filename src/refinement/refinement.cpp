@@ -5,6 +5,7 @@
 #include "refinement/refinement.h"
 
 #include "geometry/pre_shape.h"
+#include "refinement/plane_pulls.h"
 #include "support/wide_vectors.h"
 
 #include <Eigen/Geometry>
@@ -123,6 +124,14 @@ public:
             (target() - scale * (rotation * source())) / sums_[WEIGHT]};
   }
 
+  /** A pose with another scale, at which the middle of the source points stays. */
+  Similarity
+  scaled(const Similarity& pose, double scale) const
+  {
+    const Eigen::Vector3d middle = pose.rotation * source() / sums_[WEIGHT];
+    return {scale, pose.rotation, pose.translation + (pose.scale - scale) * middle};
+  }
+
 private:
   Eigen::Vector3d
   source() const
@@ -145,7 +154,7 @@ public:
   /** \param[out] own the probes' side of the pairs
    * \param[out] other the counterparts' side of them */
   Counterparts(const Points& probes,
-               const NearestPoints& others,
+               const SurfacePoints& others,
                const Refinement::Effort& effort,
                Pairs& pairs,
                Pairs::Rows& own,
@@ -153,6 +162,7 @@ public:
   : others_(others)
   , exact_(effort.exact)
   , found_(std::min(effort.points, probes.cols()))
+  , matches_(found_.size())
   , pairs_(pairs)
   , own_(own)
   , other_(other)
@@ -169,15 +179,30 @@ public:
   void
   find(const Eigen::Affine3f& placement, float scale)
   {
-    const Points& points = others_.points();
+    const Points& points = others_.points->points();
     for (std::size_t i = 0; i < found_.size(); ++i) {
       const Eigen::Vector3f placed = placement * own_.col(i);
       float squared;
-      const int other =
-          exact_ ? nearest(found_[i], placed, squared) : others_.near(placed, squared);
+      const int other = exact_ ? nearest(found_[i], placed, squared)
+                               : others_.points->near(placed, squared);
+      matches_[i] = other;
       other_.col(i) = points.col(other);
       pairs_.squared[i] = scale * scale * squared;
     }
+  }
+
+  /** How many there are. */
+  Eigen::Index
+  size() const
+  {
+    return static_cast<Eigen::Index>(matches_.size());
+  }
+
+  /** The normal of the other cloud at a counterpart. */
+  Eigen::Vector3f
+  normal(Eigen::Index i) const
+  {
+    return others_.normals.col(matches_[i]);
   }
 
 private:
@@ -193,23 +218,50 @@ private:
   {
     if (found.point >= 0 &&
         (placed - found.place).squaredNorm() < found.squared_slack) {
-      squared = (others_.points().col(found.point) - placed).squaredNorm();
+      squared = (others_.points->points().col(found.point) - placed).squaredNorm();
       return found.point;
     }
     float second;
-    found.point = others_.nearest(placed, squared, second);
+    found.point = others_.points->nearest(placed, squared, second);
     found.place = placed;
     const float slack = 0.5f * (std::sqrt(second) - std::sqrt(squared));
     found.squared_slack = slack * slack;
     return found.point;
   }
 
-  const NearestPoints& others_;
+  const SurfacePoints& others_;
   bool exact_;
   std::vector<Found> found_;
+  std::vector<int> matches_;
   Pairs& pairs_;
   Pairs::Rows &own_, &other_;
 };
+
+/** Pull a pose towards the planes of correspondences. */
+Similarity
+pulledToPlanes(const Similarity& pose,
+               const Pairs& from_source,
+               const Counterparts& forth,
+               const Pairs& from_target,
+               const Counterparts& back,
+               double reach)
+{
+  PlanePulls pulls;
+  const Eigen::Affine3f placement = pose.affine();
+  const Eigen::Matrix3f rotation = pose.rotation.cast<float>();
+  const auto squared_reach = static_cast<float>(reach * reach);
+  const auto add = [&](const Pairs& pairs, Eigen::Index i,
+                       const Eigen::Vector3f& normal) {
+    const float share = squared_reach / (squared_reach + pairs.squared[i]);
+    pulls.add(placement * pairs.source.col(i), pairs.target.col(i), normal,
+              share * share);
+  };
+  for (Eigen::Index i = 0; i < forth.size(); ++i)
+    add(from_source, i, forth.normal(i));
+  for (Eigen::Index i = 0; i < back.size(); ++i)
+    add(from_target, i, rotation * back.normal(i));
+  return pulls.moved(pose);
+}
 
 /** By how much two poses differ in any number of their matrices. */
 double
@@ -223,8 +275,8 @@ largestChange(const Similarity& a, const Similarity& b)
 
 Refinement::Refinement(const Points& source_probes,
                        const Points& target_probes,
-                       const NearestPoints& source,
-                       const NearestPoints& target,
+                       const SurfacePoints& source,
+                       const SurfacePoints& target,
                        const ScaleRange& scales)
 : source_probes_(source_probes)
 , target_probes_(target_probes)
@@ -257,7 +309,12 @@ Refinement::refine(const Similarity& initial, const Effort& effort) const
     const double estimate = scales_.smallest < scales_.largest
                                 ? scales_.clamp(pairs.symmetricScale())
                                 : pose.scale;
-    const Similarity next = pairs.similarity(estimate);
+    Similarity next = pairs.similarity(estimate);
+    if (effort.on_planes) {
+      // about the middle of the pairs, which the scale leaves where it is
+      next = pulledToPlanes(pairs.scaled(pose, estimate), from_source, forth,
+                            from_target, back, reach);
+    }
     if (!next.isUsable())
       break;
     const bool settled = iteration > falling && largestChange(pose, next) < 1e-5;

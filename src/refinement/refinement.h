@@ -12,8 +12,16 @@
 
 #include <Eigen/Core>
 
+#include <memory>
+
 namespace pcl {
 namespace kss {
+
+/** \brief Points of a surface, and its normals there. */
+struct SurfacePoints {
+  std::shared_ptr<const NearestPoints> points;
+  Points normals; ///< a column per point
+};
 
 /** \brief ICP between two clouds, with correspondences both ways that count less the
  * longer they are.
@@ -42,19 +50,22 @@ public:
     /** \brief Whether correspondences are the nearest points, or just near ones, which
      * is several times faster and good enough from afar. */
     bool exact;
+    /** \brief Whether correspondences pull towards the planes of surfaces, along which
+     * clouds are free to slide, or towards points, which leads from farther off. */
+    bool on_planes = false;
   };
 
   /** \param[in] source_probes points of the source that seek their nearest; any leading
    * part of them covers the cloud
    * \param[in] target_probes as many of the target
-   * \param[in] source all points of the source
-   * \param[in] target all points of the target
+   * \param[in] source all points of the source, kept by reference
+   * \param[in] target all points of the target, kept by reference
    * \param[in] scales what the scale is bound to; one value leaves it as it is
    */
   Refinement(const Points& source_probes,
              const Points& target_probes,
-             const NearestPoints& source,
-             const NearestPoints& target,
+             const SurfacePoints& source,
+             const SurfacePoints& target,
              const ScaleRange& scales);
 
   /** \brief Refine a pose; safe to call from several threads at once. */
@@ -64,8 +75,8 @@ public:
 private:
   const Points& source_probes_;
   const Points& target_probes_;
-  const NearestPoints& source_;
-  const NearestPoints& target_;
+  const SurfacePoints& source_;
+  const SurfacePoints& target_;
   ScaleRange scales_;
 };
 

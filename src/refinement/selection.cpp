@@ -10,6 +10,7 @@
 #include "geometry/take.h"
 #include "refinement/overlap.h"
 #include "support/parallel.h"
+#include "surfaces/evidence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,14 +52,34 @@ truncatedMeanOf(const Points& probes,
   return sum / size;
 }
 
+/** All points of a shape that take part, with normals. */
+SurfacePoints
+surfacePoints(const Shape& shape, bool is_dense)
+{
+  const auto& [surface, planes] = shape.surface;
+  if (is_dense || shape.all == surface)
+    return {surface, planes.normals};
+  const Points& points = shape.all->points();
+  SurfacePoints fewer{shape.all, Points(3, points.cols())};
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    float squared;
+    fewer.normals.col(i) = planes.normals.col(surface->nearest(points.col(i), squared));
+  }
+  return fewer;
+}
+
 } // namespace
 
-Selection::Selection(const ShapePair& shapes, double reach, unsigned int threads)
+Selection::Selection(const ShapePair& shapes,
+                     const SelectionEffort& effort,
+                     unsigned int threads)
 : shapes_(shapes)
-, reach_(reach)
+, effort_(effort)
 , threads_(threads)
-, source_probes_(evenlySpaced(shapes.source.all->points(), most_probes))
-, target_probes_(evenlySpaced(shapes.target.all->points(), most_probes))
+, source_(surfacePoints(shapes.source, effort.is_dense))
+, target_(surfacePoints(shapes.target, effort.is_dense))
+, source_probes_(evenlySpaced(source_.points->points(), most_probes))
+, target_probes_(evenlySpaced(target_.points->points(), most_probes))
 {
 }
 
@@ -92,15 +113,15 @@ Selection::refineMoreAndMore(std::vector<Ranked>& ranked,
                              const std::function<void(double)>& done) const
 {
   const Eigen::Index samples = shapes_.target.simplified.points.cols();
-  for (const SelectionStep& step : stepsFromAfar(reach_, samples))
+  for (const SelectionStep& step : stepsFromAfar(effort_, samples))
     ranked = refined(ranked, step);
   done(0.4);
   const double spacing =
-      std::max(ranked.front().pose.scale * median(shapes_.source.all->spacing()),
-               static_cast<double>(median(shapes_.target.all->spacing())));
+      std::max(ranked.front().pose.scale * median(source_.points->spacing()),
+               static_cast<double>(median(target_.points->spacing())));
   double share = 0.4;
   for (const SelectionStep& step :
-       stepsOnSurfaces(spacing, samples, shapes_.is_noisy)) {
+       stepsOnSurfaces(effort_, spacing, samples, shapes_.is_noisy)) {
     ranked = refined(ranked, step);
     share += 0.5 * (1.0 - share);
     done(share);
@@ -121,8 +142,8 @@ Selection::refined(const std::vector<Ranked>& ranked, const SelectionStep& step)
 
   const Refinement refinement(
       step.on_clouds ? source_probes_ : shapes_.source.simplified.points,
-      step.on_clouds ? target_probes_ : shapes_.target.simplified.points,
-      *shapes_.source.all, *shapes_.target.all, shapes_.scales);
+      step.on_clouds ? target_probes_ : shapes_.target.simplified.points, source_,
+      target_, shapes_.scales);
   std::vector<Ranked> all(poses.size());
   inParallel(poses.size(), threads_, 1, [&](std::ptrdiff_t i) {
     all[i].pose = refinement.refine(poses[i], step.effort);
@@ -143,8 +164,15 @@ Selection::costOf(const Similarity& pose, const SelectionStep& step) const
 {
   if (step.cost == PoseCost::DISTANCE)
     return truncatedMean(pose, step.cost_probes, step.limit);
-  return -overlapAt(*shapes_.source.all, *shapes_.target.all, pose, step.cost_probes)
-              .score;
+  const Overlap overlap =
+      overlapAt(*source_.points, *target_.points, pose, step.cost_probes);
+  if (step.cost == PoseCost::OVERLAP)
+    return -overlap.score;
+  return -logOddsOf(
+      {{},
+       overlap,
+       evidenceAt(shapes_.source.surface, shapes_.target.surface, pose,
+                  shapes_.scales.smallest < shapes_.scales.largest, step.cost_probes)});
 }
 
 double
@@ -153,11 +181,10 @@ Selection::truncatedMean(const Similarity& pose,
                          double limit) const
 {
   const Eigen::Affine3f placement = pose.affine();
-  return truncatedMeanOf(shapes_.source.simplified.points, *shapes_.target.all,
-                         placement, points, limit) +
-         pose.scale * truncatedMeanOf(shapes_.target.simplified.points,
-                                      *shapes_.source.all, placement.inverse(), points,
-                                      limit / pose.scale);
+  return truncatedMeanOf(shapes_.source.simplified.points, *target_.points, placement,
+                         points, limit) +
+         pose.scale * truncatedMeanOf(shapes_.target.simplified.points, *source_.points,
+                                      placement.inverse(), points, limit / pose.scale);
 }
 
 } // namespace kss

@@ -33,10 +33,12 @@ struct JudgedPose {
 class Selection {
 public:
   /** \param[in] shapes kept by reference
-   * \param[in] reach how far the candidates may leave points off
+   * \param[in] effort how many of the poses are looked into
    * \param[in] threads 0: as many as there are cores; the result does not depend on it
    */
-  Selection(const ShapePair& shapes, double reach, unsigned int threads);
+  Selection(const ShapePair& shapes,
+            const SelectionEffort& effort,
+            unsigned int threads);
 
   /** \brief The distinct poses that refinement leads to, by falling score; five at
    * most. Where the work is stopped, as far as they have come.
@@ -73,8 +75,9 @@ private:
   truncatedMean(const Similarity& pose, Eigen::Index points, double limit) const;
 
   const ShapePair& shapes_;
-  double reach_;
+  SelectionEffort effort_;
   unsigned int threads_;
+  SurfacePoints source_, target_;        ///< what poses are refined and ranked by
   Points source_probes_, target_probes_; ///< of all of the clouds
 };
 

@@ -40,37 +40,38 @@ nearest(Eigen::Index samples)
 // first, of up to 320 minima with few points: 130,000 to 250,000 correspondences.
 
 std::vector<SelectionStep>
-stepsFromAfar(double reach, Eigen::Index samples)
+stepsFromAfar(const SelectionEffort& effort, Eigen::Index samples)
 {
-  const double nearer = nearest(samples);
+  const double nearer = effort.unit * nearest(samples), nearby = effort.unit * near;
   // two poses that end less than half a step of the rotations apart are one
-  SelectionStep first{all, {64, 6, reach, near, false}, PoseCost::DISTANCE, 64, 0.15};
-  // a little more than the reach that refinement ends with
-  first.limit = 0.15;
+  SelectionStep first{
+      all, {64, 6, effort.reach, nearby, false}, PoseCost::DISTANCE, 64, 0.15};
+  first.limit = effort.first_limit;
   SelectionStep second{
-      60, {200, 8, near, nearer, false}, PoseCost::DISTANCE, 200, 0.12};
-  second.limit = std::max(0.1, nearer);
+      effort.near, {200, 8, nearby, nearer, false}, PoseCost::DISTANCE, 200, 0.12};
+  second.limit = effort.second_limit;
   return {first, second};
 }
 
 std::vector<SelectionStep>
-stepsOnSurfaces(double spacing, Eigen::Index samples, bool is_noisy)
+stepsOnSurfaces(const SelectionEffort& effort,
+                double spacing,
+                Eigen::Index samples,
+                bool is_noisy)
 {
   // from what the steps from afar leave to the spacing, within which one surface covers
   // another
-  const double wide = std::max(nearest(samples), 4.0 * spacing);
+  const double wide = std::max(effort.unit * nearest(samples), 4.0 * spacing);
   const Eigen::Index probes = is_noisy ? most_probes : overlap_probes;
-  const SelectionStep coarse{is_noisy ? 30u : 16u,
-                             {400, 10, wide, 2.0 * spacing, is_noisy},
-                             PoseCost::OVERLAP,
-                             probes,
-                             same_pose};
-  SelectionStep fine{most_alternatives,
-                     {600, 40, wide, spacing, true},
-                     PoseCost::OVERLAP,
-                     probes,
-                     same_pose};
-  fine.hope = hopeless;
+  const PoseCost cost = effort.is_dense ? PoseCost::SURFACES : PoseCost::OVERLAP;
+  const std::size_t most =
+      is_noisy ? std::max<std::size_t>(30, effort.on_surfaces) : effort.on_surfaces;
+  const SelectionStep coarse{
+      most, {400, 10, wide, 2.0 * spacing, is_noisy, true}, cost, probes, same_pose};
+  SelectionStep fine{
+      effort.last, {600, 40, wide, spacing, true, true}, cost, probes, same_pose};
+  if (cost == PoseCost::OVERLAP)
+    fine.hope = hopeless;
   // what averaging leaves has shallow minima beside the right one
   SelectionStep besides = fine;
   besides.most = 2;
@@ -78,7 +79,7 @@ stepsOnSurfaces(double spacing, Eigen::Index samples, bool is_noisy)
   besides.turned = true;
   // all that there is to decide by
   SelectionStep last = fine;
-  last.effort = {most_probes, 100, 4.0 * spacing, spacing, true};
+  last.effort = {most_probes, 12, 4.0 * spacing, spacing, true, true};
   last.on_clouds = true;
   if (is_noisy)
     return {coarse, fine, besides, last};

@@ -19,8 +19,10 @@ namespace kss {
 /** \brief What a pose costs. */
 enum class PoseCost {
   DISTANCE, ///< the truncated mean of the distances both ways: leads from afar
-  OVERLAP   ///< the less of the clouds lies on each other, the more: tells right from
-            ///< wrong
+  OVERLAP,  ///< the less of the clouds lies on each other, the more: tells right from
+            ///< wrong where they are complete
+  SURFACES  ///< the less their surfaces speak for it, the more: tells right from wrong
+            ///< where much is hidden, or large and flat
 };
 
 /** \brief A step of the choice: poses are refined, and those that are distinct ranked.
@@ -55,20 +57,41 @@ constexpr std::size_t most_alternatives = 5;
 /** \brief Points of each cloud whose correspondences decide in the end. */
 constexpr Eigen::Index most_probes = 2500;
 
+/** \brief How many of the minima are looked into, and from how far. */
+struct SelectionEffort {
+  /** \brief How far candidates can leave points off. */
+  double reach;
+  /** \brief Poses after the first step, on the surfaces, and in the end. */
+  std::size_t near, on_surfaces, last;
+  /** \brief What a distance counts at most where poses are ranked, in the first step
+   * and in the second one. */
+  double first_limit, second_limit;
+  /** \brief What the lengths of the steps are multiples of: the larger cloud's root
+   * mean square radius, in those of the target. */
+  double unit = 1.0;
+  /** \brief Whether all that is known of the clouds' surfaces takes part: an object in
+   * a scene is smaller than the spacing of fewer points. */
+  bool is_dense = false;
+};
+
 /** \brief The first steps, from as far as a candidate can be off.
- * \param[in] reach of the candidates, see search_numbers::reachOf()
+ * \param[in] effort
  * \param[in] samples points of the simplified target
  */
 std::vector<SelectionStep>
-stepsFromAfar(double reach, Eigen::Index samples);
+stepsFromAfar(const SelectionEffort& effort, Eigen::Index samples);
 
 /** \brief The last steps, on the surfaces.
+ * \param[in] effort
  * \param[in] spacing of the points of the clouds
  * \param[in] samples points of the simplified target
  * \param[in] is_noisy whether heavy noise has been averaged away
  */
 std::vector<SelectionStep>
-stepsOnSurfaces(double spacing, Eigen::Index samples, bool is_noisy);
+stepsOnSurfaces(const SelectionEffort& effort,
+                double spacing,
+                Eigen::Index samples,
+                bool is_noisy);
 
 } // namespace kss
 } // namespace pcl

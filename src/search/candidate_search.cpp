@@ -48,14 +48,18 @@ throwWhereTooMany(const Candidates& candidates, Search search)
   throw std::invalid_argument(message.str());
 }
 
+/** What a distance counts at most. */
+float
+limitOf(const Grain& grain, const Settings& settings)
+{
+  return isOfLargest(settings.energy) ? std::numeric_limits<float>::max() : grain.limit;
+}
+
 } // namespace
 
 CandidateSearch::CandidateSearch(const Settings& settings)
 : settings_(settings)
-, limit_(static_cast<float>(reachOf(numberOfRotations(settings))))
 {
-  if (isOfLargest(settings.energy))
-    limit_ = std::numeric_limits<float>::max();
   settings_.search = searchOf(settings);
   if (settings_.search == Search::SCREENED) {
     evaluator_ = makeLookUps(settings);
@@ -70,21 +74,23 @@ CandidateSearch::localMinima(const Points& source,
                              const Points& target,
                              const ScaleRange& scales,
                              const PoseMetric& metric,
+                             const Grain& grain,
                              const std::function<void(double)>& done)
 {
   source_ = source;
   target_ = target;
-  evaluator_->setClouds(source, target, limit_);
+  const float limit = limitOf(grain, settings_);
+  evaluator_->setClouds(source, target, limit);
   if (screening_)
-    screening_->setClouds(source, target, limit_);
+    screening_->setClouds(source, target, limit);
   std::vector<Minimum> minima;
-  const auto sweeps = sweepsOf(settings_, source_, target_, scales);
+  const auto sweeps = sweepsOf(settings_, source_, target_, scales, grain);
   try {
     for (std::size_t i = 0; i < sweeps.size(); ++i) {
       const auto doneOfSweep = [&](double share) {
         done((static_cast<double>(i) + share) / static_cast<double>(sweeps.size()));
       };
-      const auto found = minimaOf(sweeps[i], metric, doneOfSweep);
+      const auto found = minimaOf(sweeps[i], metric, grain, doneOfSweep);
       minima.insert(minima.end(), found.begin(), found.end());
       doneOfSweep(1.0);
     }
@@ -109,21 +115,24 @@ CandidateSearch::localMinima(const Points& source,
 std::vector<Minimum>
 CandidateSearch::minimaOf(const Sweep& sweep,
                           const PoseMetric& metric,
+                          const Grain& grain,
                           const std::function<void(double)>& done)
 {
   throwWhereTooMany(sweep.candidates, settings_.search);
   if (settings_.search == Search::EXACT)
-    return exact(sweep);
+    return exact(sweep, grain);
   // few candidates need no screening
-  if (screening_ && sweep.candidates.size() > most_screened)
-    return screened(sweep, metric);
-  return evaluated(sweep, done);
+  if (screening_ && sweep.candidates.size() > grain.screened)
+    return screened(sweep, metric, grain);
+  return evaluated(sweep, grain, done);
 }
 
 std::vector<Minimum>
-CandidateSearch::screened(const Sweep& sweep, const PoseMetric& metric)
+CandidateSearch::screened(const Sweep& sweep,
+                          const PoseMetric& metric,
+                          const Grain& grain)
 {
-  const auto found = screening_->lowest(sweep.candidates, most_screened);
+  const auto found = screening_->lowest(sweep.candidates, grain.screened);
   const auto distances = evaluator_->evaluate(sweep.candidates.placements(found));
   std::vector<Minimum> minima;
   std::vector<float> energies(sweep.candidates.size(),
@@ -135,7 +144,7 @@ CandidateSearch::screened(const Sweep& sweep, const PoseMetric& metric)
     for (const std::size_t i : sweep.candidates.localMinima(
              energies, found, settings_.local_minimum_kernel, same_pose)) {
       const Similarity pose = sweep.candidates.pose(i);
-      if (distinct.size() < most_minima && distinct.take(pose))
+      if (distinct.size() < grain.minima && distinct.take(pose))
         minima.push_back({pose, energies[i], weights});
     }
   }
@@ -143,20 +152,22 @@ CandidateSearch::screened(const Sweep& sweep, const PoseMetric& metric)
 }
 
 std::vector<Minimum>
-CandidateSearch::exact(const Sweep& sweep)
+CandidateSearch::exact(const Sweep& sweep, const Grain& grain)
 {
   std::vector<Minimum> minima;
-  const auto found =
-      exactMinima(settings_, sweep, same_pose, source_, target_, limit_, *evaluator_);
+  const auto found = exactMinima(settings_, sweep, same_pose, source_, target_,
+                                 limitOf(grain, settings_), *evaluator_);
   for (std::size_t e = 0; e < found.size(); ++e)
-    for (std::size_t i = 0; i < std::min(found[e].size(), most_minima); ++i)
+    for (std::size_t i = 0; i < std::min(found[e].size(), grain.minima); ++i)
       minima.push_back({sweep.candidates.pose(found[e][i].candidate),
                         found[e][i].energy, sweep.energies[e]});
   return minima;
 }
 
 std::vector<Minimum>
-CandidateSearch::evaluated(const Sweep& sweep, const std::function<void(double)>& done)
+CandidateSearch::evaluated(const Sweep& sweep,
+                           const Grain& grain,
+                           const std::function<void(double)>& done)
 {
   // Algorithm 2 for all candidates, so many at once
   const std::size_t size = sweep.candidates.size();
@@ -173,7 +184,7 @@ CandidateSearch::evaluated(const Sweep& sweep, const std::function<void(double)>
   for (std::size_t e = 0; e < energies.size(); ++e) {
     auto found = sweep.candidates.localMinima(
         energies[e], settings_.local_minimum_kernel, same_pose);
-    found.resize(std::min(found.size(), most_minima));
+    found.resize(std::min(found.size(), grain.minima));
     for (const std::size_t i : found)
       minima.push_back({sweep.candidates.pose(i), energies[e][i], sweep.energies[e]});
   }

@@ -43,6 +43,7 @@ public:
    * \param[in] target as the source
    * \param[in] scales what to consider
    * \param[in] metric tells which poses are distinct
+   * \param[in] grain how close candidates lie, and how many are looked into
    * \param[in] done told the share of the work that is done
    * \return at least one; those of the first sweeps where the rest has been stopped
    * \throws Stopped before there are any
@@ -52,6 +53,7 @@ public:
               const Points& target,
               const ScaleRange& scales,
               const PoseMetric& metric,
+              const Grain& grain,
               const std::function<void(double)>& done);
 
   /** \brief The energy of one pose of the clouds of the last localMinima(). */
@@ -67,22 +69,24 @@ private:
   std::vector<Minimum>
   minimaOf(const Sweep& sweep,
            const PoseMetric& metric,
+           const Grain& grain,
            const std::function<void(double)>& done);
 
   /** \brief Minima among the candidates that screening finds. */
   std::vector<Minimum>
-  screened(const Sweep& sweep, const PoseMetric& metric);
+  screened(const Sweep& sweep, const PoseMetric& metric, const Grain& grain);
 
   /** \brief The minima of brute force, by bounds. */
   std::vector<Minimum>
-  exact(const Sweep& sweep);
+  exact(const Sweep& sweep, const Grain& grain);
 
   /** \brief Minima after the energies of all candidates. */
   std::vector<Minimum>
-  evaluated(const Sweep& sweep, const std::function<void(double)>& done);
+  evaluated(const Sweep& sweep,
+            const Grain& grain,
+            const std::function<void(double)>& done);
 
   Settings settings_;
-  float limit_; ///< what a distance counts in a mean at most
   std::unique_ptr<DistanceEvaluator> evaluator_;
   std::optional<Screening> screening_;
   Points source_, target_;

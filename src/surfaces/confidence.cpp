@@ -4,6 +4,8 @@
 
 #include <pcl/registration/kss/result.h>
 
+#include "geometry/relative_size.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,6 +36,33 @@ constexpr double equally_good = 0.7;
 /** The share of a complete cloud that another complete one covers at least. */
 constexpr double complete = 0.9;
 
+/** How near a surface counts as near, relative to an object in a scene, where the scene
+ * shows enough of it to be asked. */
+constexpr double blurred = 1.0 / 3.0;
+
+/** What speaks for a pose. */
+struct Witnesses {
+  Support source, target;
+  double score;
+};
+
+/** Both clouds, or the object alone where the other one is a scene, which owes it
+ * nothing: neither its other things nor what hides the object speak against the pose.
+ * The object's part of the score then counts twice. */
+Witnesses
+witnessesOf(const Alternative& alternative)
+{
+  const Evidence& evidence = alternative.evidence;
+  const Overlap& overlap = alternative.overlap;
+  if (!mayBeInScene(evidence.size) || evidence.reach > blurred)
+    return {evidence.source, evidence.target, overlap.score};
+  const bool is_source = evidence.size < 1.0;
+  const Support& object = is_source ? evidence.source : evidence.target;
+  const double own = is_source ? overlap.source : overlap.target;
+  const double both = overlap.source + overlap.target;
+  return {object, object, both > 0.0 ? overlap.score * 2.0 * own / both : 0.0};
+}
+
 /** The logarithm of a consistent share. */
 double
 logConsistent(const Support& support)
@@ -46,14 +75,15 @@ logConsistent(const Support& support)
 double
 logOddsOf(const Alternative& alternative)
 {
-  const auto& [source, target, residual, noise, reach] = alternative.evidence;
+  const auto [source, target, score] = witnessesOf(alternative);
   return odds_of_pose.constant +
          odds_of_pose.worst *
              std::log(std::max(source.worst, target.worst) + least_worst) +
          odds_of_pose.consistent * (logConsistent(source) + logConsistent(target)) /
              2.0 +
-         odds_of_pose.residual * std::min(residual, most_residual) +
-         odds_of_pose.score * alternative.overlap.score;
+         odds_of_pose.residual *
+             std::min(alternative.evidence.residual, most_residual) +
+         odds_of_pose.score * score;
 }
 
 double
@@ -65,19 +95,19 @@ confidenceOf(const Alternatives& alternatives)
   const double margin = alternatives.size() > 1
                             ? std::abs(logOddsOf(best) - logOddsOf(alternatives[1]))
                             : most_margin;
-  const Evidence& evidence = best.evidence;
-  const double of_source = logConsistent(evidence.source);
-  const double of_target = logConsistent(evidence.target);
+  const auto [source, target, score] = witnessesOf(best);
+  const double of_source = logConsistent(source);
+  const double of_target = logConsistent(target);
   // that scans share no more than a part does not count against the best pose
   const double odds =
       odds_of_best.constant +
       odds_of_best.best_consistent * std::max(of_source, of_target) +
       odds_of_best.consistent * (of_source + of_target) / 2.0 +
-      odds_of_best.residual * std::min(evidence.residual, most_residual) +
-      odds_of_best.score * best.overlap.score +
+      odds_of_best.residual * std::min(best.evidence.residual, most_residual) +
+      odds_of_best.score * score +
       odds_of_best.margin * std::log1p(std::min(margin, most_margin));
   // no more than so many witnesses can say: Laplace's rule of succession
-  const double witnesses = std::min(evidence.source.points, evidence.target.points);
+  const double witnesses = std::min(source.points, target.points);
   return std::min(1.0 / (1.0 + std::exp(-odds)), (witnesses + 1.0) / (witnesses + 2.0));
 }
 

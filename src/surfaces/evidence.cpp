@@ -18,9 +18,6 @@ namespace pcl {
 namespace kss {
 namespace {
 
-/** Points of each cloud that speak. */
-constexpr Eigen::Index most_speakers = 4000;
-
 /** What a direction of a pose has to say to count, relative to an average one. */
 constexpr double silent = 1e-4;
 
@@ -71,10 +68,11 @@ supportOf(const OrientedPoints& from,
           const Similarity& T_to_from,
           float noise,
           bool scale_is_free,
+          Eigen::Index most,
           Residuals& residuals)
 {
   const Eigen::Index size = from.points->points().cols();
-  const Eigen::Index count = std::min(most_speakers, size);
+  const Eigen::Index count = std::min(most, size);
   const PlacedSurface placed(from, T_to_from);
   Sums all, near, explained;
   for (Eigen::Index n = 0; n < count; ++n) {
@@ -106,16 +104,17 @@ Evidence
 evidenceAt(const OrientedPoints& source,
            const OrientedPoints& target,
            const Similarity& T_target_source,
-           bool scale_is_free)
+           bool scale_is_free,
+           Eigen::Index most)
 {
   const auto scale = static_cast<float>(T_target_source.scale);
   const float noise = std::max(scale * source.planes.noise, target.planes.noise);
   Residuals residuals;
   Evidence evidence;
   evidence.source =
-      supportOf(source, target, T_target_source, noise, scale_is_free, residuals);
+      supportOf(source, target, T_target_source, noise, scale_is_free, most, residuals);
   evidence.target = supportOf(target, source, T_target_source.inverse(), noise / scale,
-                              scale_is_free, residuals);
+                              scale_is_free, most, residuals);
   if (residuals.points > 0)
     evidence.residual = std::sqrt(residuals.squared / residuals.points);
   const auto radiusOf = [](const OrientedPoints& cloud) {
@@ -125,8 +124,10 @@ evidenceAt(const OrientedPoints& source,
   const float spacing = std::max(scale * median(source.points->spacing()),
                                  median(target.points->spacing()));
   evidence.noise = noise / spacing;
-  evidence.reach =
-      near_spacings * spacing / std::min(scale * radiusOf(source), radiusOf(target));
+  const float source_radius = scale * radiusOf(source),
+              target_radius = radiusOf(target);
+  evidence.reach = near_spacings * spacing / std::min(source_radius, target_radius);
+  evidence.size = source_radius / target_radius;
   return evidence;
 }
 

@@ -14,6 +14,9 @@
 namespace pcl {
 namespace kss {
 
+/** \brief Points of each cloud that speak where a pose is judged. */
+constexpr Eigen::Index most_speakers = 4000;
+
 /** \brief Weigh what two clouds say about a pose.
  *
  * A point is explained by a surface near it, within the noise, whose normal agrees. It
@@ -25,12 +28,14 @@ namespace kss {
  * \param[in] target in the same frame as the pose leads to
  * \param[in] T_target_source the pose
  * \param[in] scale_is_free whether the scale is part of what has to be explained
+ * \param[in] most points of each cloud that speak
  */
 Evidence
 evidenceAt(const OrientedPoints& source,
            const OrientedPoints& target,
            const Similarity& T_target_source,
-           bool scale_is_free);
+           bool scale_is_free,
+           Eigen::Index most = most_speakers);
 
 } // namespace kss
 } // namespace pcl

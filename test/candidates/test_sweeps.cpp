@@ -37,6 +37,8 @@ few(Mode mode)
   return settings;
 }
 
+constexpr Grain coarse{search_numbers::of_two_parts, 1e9, 0.35f, 8000, 80};
+
 /** The scales of a sweep's candidates, rising. */
 std::set<long>
 scalesOf(const Sweep& sweep)
@@ -61,7 +63,7 @@ protected:
   std::vector<Sweep>
   of(const Settings& settings, const ScaleRange& scales) const
   {
-    return sweepsOf(settings, source_, target_, scales);
+    return sweepsOf(settings, source_, target_, scales, coarse);
   }
 
   const Points source_ = preShape(part(sampled(lump(), 900, 1), {1, 0, 0}, 0.6)).points;
@@ -162,7 +164,7 @@ TEST_F(Sweeps, LookAsFarAsTheLargerCloudReaches)
 {
   // with a known scale the pre-shapes differ in size
   const auto sweepsFor = [&](float size) {
-    return sweepsOf(few(Mode::PARTIAL_PARTIAL), size * source_, target_, one);
+    return sweepsOf(few(Mode::PARTIAL_PARTIAL), size * source_, target_, one, coarse);
   };
   const auto same = sweepsFor(1.0f), small = sweepsFor(0.5f), large = sweepsFor(2.0f);
   // centres on the target reach as far as a larger source asks, and the other way round
@@ -211,6 +213,49 @@ TEST_F(Sweeps, StayWithinTheScalesAskedFor)
           EXPECT_LE(scale, range.largest * (1.0 + 1e-9));
         }
       }
+}
+
+TEST_F(Sweeps, LieAsCloseAsTheGrainSays)
+{
+  const auto sweepsAt = [&](const Grain& grain) {
+    return sweepsOf(few(Mode::AUTOMATIC), source_, target_, one, grain);
+  };
+  const auto usual = sweepsAt(coarse);
+  Grain grain = coarse;
+  grain.two_parts.step *= 0.5;
+  const auto fine = sweepsAt(grain);
+  ASSERT_EQ(usual.size(), fine.size());
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    EXPECT_GT(fine[i].candidates.size(), 4 * usual[i].candidates.size());
+    EXPECT_NEAR(farthestShift(fine[i]), farthestShift(usual[i]), 1e-6);
+  }
+  // and no more of them than it allows
+  grain.most_candidates = 3.0 * 200.0;
+  for (const Sweep& sweep : sweepsAt(grain)) {
+    EXPECT_LE(sweep.candidates.size(), 600u);
+    EXPECT_GT(sweep.candidates.size(), 100u);
+  }
+}
+
+TEST_F(Sweeps, LookForTheSmallerCloudInAScene)
+{
+  Grain grain = coarse;
+  grain.in_scene = true;
+  for (const float size : {0.2f, 5.0f}) {
+    const auto sweeps =
+        sweepsOf(few(Mode::IN_SCENE), size * source_, target_, one, grain);
+    ASSERT_EQ(1u, sweeps.size());
+    ASSERT_EQ(1u, sweeps[0].energies.size());
+    const Weights& weights = sweeps[0].energies.front();
+    const bool source_is_small = size < 1.0f;
+    // it is asked alone, and the centres are the scene's
+    EXPECT_EQ(source_is_small ? 1.0f : 0.0f, weights.source_to_target);
+    EXPECT_EQ(source_is_small ? 0.0f : 1.0f, weights.target_to_source);
+    EXPECT_EQ(source_is_small ? Role::TARGET : Role::SOURCE,
+              sweeps[0].candidates.centered());
+    EXPECT_EQ((std::set<long>{1000}), scalesOf(sweeps[0]));
+    EXPECT_GT(farthestShift(sweeps[0]), source_is_small ? 1.0 : 5.0);
+  }
 }
 
 TEST_F(Sweeps, AreThePapersIfAskedFor)

@@ -4,6 +4,8 @@
 
 #include "poses.h"
 
+#include "geometry/tangent_planes.h"
+#include "refinement/plane_pulls.h"
 #include "refinement/refinement.h"
 
 #include <gtest/gtest.h>
@@ -17,12 +19,22 @@ using pcl::kss::NearestPoints;
 using pcl::kss::Refinement;
 using pcl::kss::ScaleRange;
 using pcl::kss::Similarity;
+using pcl::kss::SurfacePoints;
 
 constexpr ScaleRange any_scale{0.0, std::numeric_limits<double>::infinity()};
 constexpr ScaleRange known_scale{1.0, 1.0};
 
 /** All points, a reach that falls from an eighth of the creature to its spacing. */
 constexpr Refinement::Effort thorough{10000, 100, 0.5, 0.08, true};
+
+SurfacePoints
+surfaceOf(const Points& points)
+{
+  constexpr int neighbours = 12;
+  return {std::make_shared<NearestPoints>(points, 1),
+          pcl::kss::normalsOf(points, pcl::kss::neighbourhoodsOf(points, neighbours, 1),
+                              1)};
+}
 
 /** Refines with all points of the clouds, which are in no order: any leading part of
  * them covers the cloud. */
@@ -33,7 +45,7 @@ refined(const Points& source,
         const ScaleRange& scales = any_scale,
         const Refinement::Effort& effort = thorough)
 {
-  const NearestPoints all_source(source, 1), all_target(target, 1);
+  const SurfacePoints all_source = surfaceOf(source), all_target = surfaceOf(target);
   return Refinement(source, target, all_source, all_target, scales)
       .refine(Similarity::of(start), effort)
       .matrix();
@@ -90,6 +102,61 @@ TEST(Refinement, AlignsIndependentSamplings)
     EXPECT_LT(rotationErrorDegrees(found, truth), 1.5);
     EXPECT_NEAR(1.0, scaleIn(found) / scaleIn(truth), 0.01);
   }
+}
+
+TEST(Refinement, SlidesAlongPlanes)
+{
+  // an object on a table ten times as large: all but one in twenty points hold it
+  const Mesh table = panel({-2.0, -2.0, 0.0}, {4.0, 0.0, 0.0}, {0.0, 4.0, 0.0});
+  const Mesh scene = together({table, ellipsoid({0.3, 0.2, 0.15}, {0.4, 0.25, 0.15})});
+  const Points source = sampled(scene, 4000, 21), target = sampled(scene, 4000, 22);
+  Eigen::Matrix4d start = Eigen::Matrix4d::Identity();
+  start.topRightCorner<3, 1>() = Eigen::Vector3d(0.15, -0.1, 0.02);
+  const auto lengthAfter = [&](bool on_planes) {
+    const Refinement::Effort effort{4000, 12, 0.3, 0.1, true, on_planes};
+    const Eigen::Matrix4d found = refined(source, target, start, known_scale, effort);
+    return found.topRightCorner<3, 1>().norm();
+  };
+  EXPECT_GT(lengthAfter(false), 0.08);
+  EXPECT_LT(lengthAfter(true), 0.02);
+}
+
+TEST(Refinement, OnPlanesAlignsSimilaritiesToo)
+{
+  const Points target = sampled(creature(), 2000, 3);
+  std::mt19937 random(4);
+  Refinement::Effort effort = thorough;
+  effort.on_planes = true;
+  for (int i = 0; i < 5; ++i) {
+    const Eigen::Matrix4d truth = randomSimilarity(10 + i);
+    const Points source =
+        transformed(sampled(creature(), 2000, 5 + i), truth.inverse());
+    const Eigen::Matrix4d start = turn(10.0, randomVector(random, 1.0)) * truth;
+    const Eigen::Matrix4d found = refined(source, target, start, any_scale, effort);
+    EXPECT_LT(displacement(found, truth, source), 0.01);
+    EXPECT_NEAR(1.0, scaleIn(found) / scaleIn(truth), 0.01);
+  }
+}
+
+TEST(PlanePulls, AskForTheMotionThatIsMissing)
+{
+  // exact correspondences on three faces of a corner
+  std::mt19937 random(7);
+  Similarity moved{
+      1.0, turn(3.0, {1.0, 2.0, -1.0}).topLeftCorner<3, 3>(), {0.02, -0.01, 0.03}};
+  for (int step = 0; step < 5; ++step) {
+    pcl::kss::PlanePulls pulls;
+    for (int i = 0; i < 300; ++i) {
+      Eigen::Vector3f point = randomVector(random, 1.0).cast<float>();
+      point[i % 3] = 0.0f;
+      pulls.add(moved.affine() * point, point, Eigen::Vector3f::Unit(i % 3), 1.0f);
+    }
+    moved = pulls.moved(moved);
+  }
+  EXPECT_TRUE(moved.rotation.isIdentity(1e-5));
+  EXPECT_LT(moved.translation.norm(), 1e-5);
+  // nothing pulls: nothing moves
+  EXPECT_EQ(moved.matrix(), pcl::kss::PlanePulls().moved(moved).matrix());
 }
 
 TEST(Refinement, KeepsTheScaleWhereItIsKnown)

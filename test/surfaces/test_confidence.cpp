@@ -48,6 +48,27 @@ TEST(Confidence, RisesWithTheEvidence)
   EXPECT_GT(confidenceOf(listed({0.9})), 0.95);
 }
 
+TEST(Confidence, OfAnObjectInASceneIsTheObjects)
+{
+  // the scene explains the object, the object nothing of the scene
+  Alternative found = explained(0.7);
+  found.evidence.target = {0.02, 0.01, 0.001, 0.3, 400};
+  found.overlap = {1.0, 0.02, 0.75};
+  const double as_parts = confidenceOf({found});
+  found.evidence.size = 0.2;
+  const double in_scene = confidenceOf({found});
+  EXPECT_GT(in_scene, as_parts + 0.1);
+  EXPECT_GT(in_scene, 0.8);
+  // whichever of the clouds it is
+  std::swap(found.evidence.source, found.evidence.target);
+  std::swap(found.overlap.source, found.overlap.target);
+  found.evidence.size = 5.0;
+  EXPECT_NEAR(in_scene, confidenceOf({found}), 1e-12);
+  // an object too small for the scene's points to show says nothing of that kind
+  found.evidence.reach = 0.5;
+  EXPECT_NEAR(as_parts, confidenceOf({found}), 1e-12);
+}
+
 TEST(Confidence, FallsWhereAnotherPoseIsAsGood)
 {
   EXPECT_LT(confidenceOf(listed({0.6, 0.59})), confidenceOf(listed({0.6, 0.05})));

@@ -96,11 +96,9 @@ toJSON(const pcl::kss::Support& support)
 nlohmann::ordered_json
 toJSON(const pcl::kss::Evidence& evidence)
 {
-  return {{"source", toJSON(evidence.source)},
-          {"target", toJSON(evidence.target)},
-          {"residual", evidence.residual},
-          {"noise", evidence.noise},
-          {"reach", evidence.reach}};
+  return {{"source", toJSON(evidence.source)}, {"target", toJSON(evidence.target)},
+          {"residual", evidence.residual},     {"noise", evidence.noise},
+          {"reach", evidence.reach},           {"size", evidence.size}};
 }
 
 } // namespace

@@ -623,10 +623,6 @@ private:
                 const kss::PoseScorer& scorer,
                 std::vector<Contender>& contenders);
 
-  /** \brief Whether more of the clouds lies on each other: who deserves a run first. */
-  static bool
-  hasMoreOverlap(const Contender& a, const Contender& b);
-
   /** \brief Whether the surfaces speak more for it; who has had no run comes last. */
   static bool
   isMoreLikely(const Contender& a, const Contender& b);

@@ -198,7 +198,9 @@ TEST(ManyRotations, AreRefusedWhereTheyTakeTooMuchMemory)
   CandidateSearch search(settings);
   const Points cloud = Points::Random(3, 20);
   try {
-    search.localMinima(cloud, cloud, {1.0, 1.0}, PoseMetric(cloud), [](double) {});
+    search.localMinima(cloud, cloud, {1.0, 1.0}, PoseMetric(cloud),
+                       {search_numbers::of_two_parts, 1e9, 0.35f, 8000, 80},
+                       [](double) {});
     FAIL() << "61,629,875 candidates are searched";
   }
   catch (const std::invalid_argument& refusal) {

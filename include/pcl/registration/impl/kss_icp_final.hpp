@@ -29,15 +29,16 @@ KSSICP<PointSource, PointTarget, Scalar>::settle(
 try {
   if (guess) {
     contenders.insert(contenders.begin(), {scorer.scored(*guess), {}, true});
-    std::stable_sort(contenders.begin() + 1, contenders.end(), hasMoreOverlap);
   }
   int runs = 0;
   double best = -std::numeric_limits<double>::infinity(), closest = 0.0;
   for (Contender& contender : contenders) {
     const double score = contender.alternative.overlap.score;
     const bool may_be_right = score >= kss::hope * closest && best > kss::hopeless;
-    const bool is_doubtful = best < kss::doubtless && runs < kss::most_final_icps;
-    if (runs > 0 && !may_be_right && !is_doubtful)
+    const bool is_doubtful =
+        best > kss::hopeless && best < kss::doubtless && runs < kss::most_final_icps;
+    const bool is_likelier = kss::logOddsOf(contender.alternative) > best;
+    if (runs > 0 && !may_be_right && !is_doubtful && !is_likelier)
       break;
     const bool is_guess = contender.is_guess;
     contender = finalICP(source, scorer, contender.alternative, !is_guess);
@@ -61,21 +62,11 @@ catch (const kss::Stopped& stop) {
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 bool
-KSSICP<PointSource, PointTarget, Scalar>::hasMoreOverlap(const Contender& a,
-                                                         const Contender& b)
-{
-  return a.alternative.overlap.score > b.alternative.overlap.score;
-}
-
-template <typename PointSource, typename PointTarget, typename Scalar>
-bool
 KSSICP<PointSource, PointTarget, Scalar>::isMoreLikely(const Contender& a,
                                                        const Contender& b)
 {
   if (static_cast<bool>(a.run) != static_cast<bool>(b.run))
     return static_cast<bool>(a.run);
-  if (!a.run)
-    return hasMoreOverlap(a, b);
   return kss::logOddsOf(a.alternative) > kss::logOddsOf(b.alternative);
 }
 

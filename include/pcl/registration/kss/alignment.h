@@ -86,7 +86,7 @@ private:
  * with them.
  */
 struct Aligned {
-  Alternatives alternatives; ///< by falling score
+  Alternatives alternatives; ///< the likeliest first
   PoseScorer scorer;         ///< of the same two clouds
 };
 

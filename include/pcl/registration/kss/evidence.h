@@ -36,6 +36,9 @@ struct Evidence {
   /** \brief How far off an explained point may be, as a multiple of the smaller cloud's
    * root mean square radius. */
   double reach = 0.0;
+  /** \brief How large the source is where the pose has placed it, as a multiple of the
+   * target: root mean square radii. */
+  double size = 1.0;
 };
 
 } // namespace kss

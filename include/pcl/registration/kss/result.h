@@ -36,8 +36,7 @@ struct Alternative {
   StoredPose transformation;
   /** \brief How much of the clouds lies on each other there. */
   Overlap overlap;
-  /** \brief What the surfaces of the clouds say of it; zero where they have not been
-   * asked, as of a pose that the final ICP has not run from. */
+  /** \brief What the surfaces of the clouds say of it. */
   Evidence evidence = {};
 };
 

@@ -19,8 +19,10 @@ enum class Mode {
   AUTOMATIC,     ///< any of the others, found in one search; where the scale is unknown
                  ///< one cloud is expected to be nearly complete (default)
   GLOBAL_GLOBAL, ///< both clouds are complete: (e9) and (e10), centres coincide
-  PARTIAL_GLOBAL, ///< one cloud, either, is a part of the other: (e122) to (e13)
-  PARTIAL_PARTIAL ///< both are incomplete and share a part
+  PARTIAL_GLOBAL,  ///< one cloud, either, is a part of the other: (e122) to (e13)
+  PARTIAL_PARTIAL, ///< both are incomplete and share a part
+  IN_SCENE ///< the smaller cloud is an object somewhere in the larger one, among other
+           ///< things; at a known scale
 };
 
 /** \brief How the simplification spreads its points over the cloud. */

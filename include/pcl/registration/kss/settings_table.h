@@ -110,13 +110,14 @@ constexpr unsigned int unbounded = std::numeric_limits<unsigned int>::max();
 
 /** \brief The settings, in the order in which people are told of them. */
 inline constexpr auto table = std::make_tuple(
-    Choice<Mode, 4>{
+    Choice<Mode, 5>{
         {&Settings::mode, "mode", "setMode", {"mode", "WORD"}, Part::ALIGNMENT,
          "what the clouds show"},
         {{"auto", Mode::AUTOMATIC, "what fits best of the others"},
          {"global", Mode::GLOBAL_GLOBAL, "both show all of the object"},
          {"partial", Mode::PARTIAL_GLOBAL, "one is a part of the other"},
-         {"overlap", Mode::PARTIAL_PARTIAL, "both lack parts"}}},
+         {"overlap", Mode::PARTIAL_PARTIAL, "both lack parts"},
+         {"scene", Mode::IN_SCENE, "one is an object in the other, a scene"}}},
     Flag{
         {&Settings::estimate_scale, "estimate_scale", "setScaleEstimation",
          {"rigid", ""}, Part::ALIGNMENT,

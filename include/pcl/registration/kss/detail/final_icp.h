@@ -11,12 +11,12 @@
 namespace pcl {
 namespace kss {
 
-/** \brief Poses that may be right go through the final ICP, before which the surfaces
- * cannot tell: those whose overlap's score is at least this share of the best one. */
+/** \brief Poses that may be right go through the final ICP, the likeliest first: those
+ * whose overlap's score is at least this share of the best one. */
 constexpr double hope = 0.75;
 
 /** \brief Where none of them has odds that good, as logarithm, no more are tried than
- * are tried anyway. */
+ * are likelier already: the clouds do not fit. */
 constexpr double hopeless = -2.0;
 
 /** \brief And, unless the odds of one of them are ten to one, so many of the others. */
