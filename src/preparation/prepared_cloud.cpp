@@ -23,6 +23,11 @@ constexpr std::size_t most_points = 12000;
 /** Points of a cloud that judge poses at most. */
 constexpr std::size_t most_dense_points = 100000;
 
+/** By how much more of the normals of fewer points have to agree with their neighbours'
+ * for them to judge: so much more is due to noise, and several standard errors of the
+ * share. Fewer points of a surface alone have normals that agree less. */
+constexpr double clearly = 0.015;
+
 /** Means of a noisy cloud. */
 constexpr unsigned int most_means = 2500;
 
@@ -49,6 +54,34 @@ planesOf(const Surface& surface, const LocalCloud& cloud, const Settings& settin
   return planes;
 }
 
+/** The share of points whose normals agree with those of their neighbours. */
+double
+agreeingShare(const TangentPlanes& planes)
+{
+  constexpr float agreeing = 0.8f;
+  return (planes.agreements.array() >= agreeing).cast<double>().mean();
+}
+
+/** Have as many points judge as have normals: those of noisy points close together are
+ * those of the noise, the same noise turns normals less where points lie farther apart.
+ */
+void
+takeWhatJudges(const LocalCloud& cloud,
+               const Settings& settings,
+               PreparedCloud& prepared)
+{
+  prepared.dense = prepared.surface;
+  prepared.planes = planesOf(prepared.surface, cloud, settings);
+  if (static_cast<std::size_t>(cloud.points.cols()) <= most_points)
+    return;
+  Surface dense = surfaceOf(cloud.points, most_dense_points, settings);
+  TangentPlanes planes = planesOf(dense, cloud, settings);
+  if (agreeingShare(prepared.planes) > agreeingShare(planes) + clearly)
+    return;
+  prepared.dense = std::move(dense);
+  prepared.planes = std::move(planes);
+}
+
 FarthestOrder
 orderOf(const Points& points, const Settings& settings)
 {
@@ -68,10 +101,7 @@ prepared(const LocalCloud& cloud, const Settings& settings)
   prepared.surface = surfaceOf(cloud.points, most_points, settings);
   prepared.is_noisy =
       settings.clean && isNoisy(prepared.surface.points, settings.threads);
-  prepared.dense = static_cast<std::size_t>(cloud.points.cols()) <= most_points
-                       ? prepared.surface
-                       : surfaceOf(cloud.points, most_dense_points, settings);
-  prepared.planes = planesOf(prepared.dense, cloud, settings);
+  takeWhatJudges(cloud, settings, prepared);
   prepared.order = orderOf(prepared.surface.points, settings);
   return prepared;
 }
