@@ -440,8 +440,7 @@ public:
   }
 
   /** \brief Get the distinct poses that competed: the final transformation, then the
-   * others, the likeliest first, in the end those that the final ICP has not run from,
-   * of which surfaces have not been asked: their evidence is zero.
+   * others, the likeliest first, in the end those that the final ICP has not run from.
    */
   const kss::Alternatives&
   getAlternatives() const

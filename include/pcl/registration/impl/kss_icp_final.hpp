@@ -208,13 +208,16 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(
         (final_transformation_.template cast<double>() * source_centroid_.homogeneous())
             .template head<3>());
 
-  // an estimation can be singular, and nearest points lead astray where noise is heavy
+  // an estimation can be singular, and nearest points lead astray where noise is heavy;
+  // where samplings are regular, the right pose lays points between points
   Alternative after;
   if (is_pose)
     after = scorer.scored(final_transformation_.template cast<double>());
-  if (!is_pose ||
-      after.overlap.score < (1.0 - kss::final_icp_loss) * contender.overlap.score) {
-    after = scorer.scored(pose);
+  const Alternative before = scorer.scored(pose);
+  const bool loses_overlap =
+      after.overlap.score < (1.0 - kss::final_icp_loss) * before.overlap.score;
+  if (!is_pose || (loses_overlap && kss::logOddsOf(after) < kss::logOddsOf(before))) {
+    after = before;
     run.transformation = pose.cast<Scalar>();
     run.converged = true;
     run.precision = {};
