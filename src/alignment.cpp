@@ -72,10 +72,6 @@ refined(const std::vector<Minimum>& minima,
   return selection.best(poses, done);
 }
 
-/** The logarithm of the odds from which on a pose needs no finer search: the wrong ones
- * of what is symmetric but for a little stay below. */
-constexpr double convincing = 1.0;
-
 /** Leave the distinct ones, the likeliest first, and not too many of them. */
 void
 keepTheLikeliest(const PoseScorer& scorer, Alternatives& alternatives)
@@ -149,7 +145,7 @@ Alignment::align(const LocalCloud& source,
       stages.end();
 
       keepTheLikeliest(scorer, alternatives);
-      if (logOddsOf(alternatives.front()) >= convincing)
+      if (logOddsOf(alternatives.front()) >= level.convincing)
         break;
     }
     catch (const Stopped&) {

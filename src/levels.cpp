@@ -19,6 +19,11 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
+/** Log odds of poses that convince: the wrong ones of what is nearly symmetric stay
+ * below. Of a scene few points at that level show little of an object, so that only odds
+ * of ten to one do. */
+constexpr double likely = 1.0, doubtless = 2.3;
+
 /** Few rotations lie farther apart, and leave points farther off: see reachOf(). */
 double
 widening(const Settings& settings)
@@ -29,13 +34,14 @@ widening(const Settings& settings)
 
 /** Steps as wide as ICP on many starts closes; what they leave open is what counts. */
 SearchLevel
-coarse(const Settings& settings)
+coarse(const Settings& settings, double ratio)
 {
   const double reach = search_numbers::reachOf(numberOfRotations(settings));
   return {
       "",
       {search_numbers::of_two_parts, unbounded, static_cast<float>(reach), 8000, 80},
-      {reach, 60, 16, most_alternatives, 0.15, 0.1}};
+      {reach, 60, 16, most_alternatives, 0.15, 0.1},
+      mayBeInScene(ratio) ? doubtless : likely};
 }
 
 /** A third of the steps: candidates whose distances count up to as much leave few
@@ -53,7 +59,8 @@ fine(const Settings& settings)
            static_cast<float>(0.12 * wide),
            40000,
            400},
-          {reach, 300, 60, most_alternatives, 0.06, 0.05}};
+          {reach, 300, 60, most_alternatives, 0.06, 0.05},
+          unbounded};
 }
 
 /** Finer still, from no farther off than an object's own size, and with as many poses
@@ -68,11 +75,12 @@ inScene(const Settings& settings, double unit)
           {{search_numbers::of_two_parts.reach, 0.1 * wide},
            2e7,
            static_cast<float>(0.08 * wide),
-           40000,
-           800,
+           60000,
+           1600,
            true},
-          {0.12 * wide, 300, 60, 3 * most_alternatives, 0.06 * unit, 0.04 * unit, unit,
-           true}};
+          {0.12 * wide, 500, 120, 3 * most_alternatives, 0.06 * unit, 0.04 * unit, unit,
+           true},
+          unbounded};
 }
 
 /** How many times as large the source is as the target. */
@@ -99,7 +107,7 @@ levelsFor(const Settings& settings, const ShapePair& shapes)
           "setScaleEstimation(false), on the command line --rigid.");
     return {inScene(settings, larger)};
   }
-  std::vector<SearchLevel> levels{coarse(settings)};
+  std::vector<SearchLevel> levels{coarse(settings, ratio)};
   const bool may_lack_parts =
       settings.mode == Mode::AUTOMATIC || settings.mode == Mode::PARTIAL_PARTIAL;
   if (!may_lack_parts || !scale_is_known || searchOf(settings) != Search::SCREENED)

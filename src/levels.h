@@ -23,6 +23,8 @@ struct SearchLevel {
   const char* prefix;
   Grain grain;
   SelectionEffort selection;
+  /** \brief The logarithm of the odds from which on a pose needs no finer level. */
+  double convincing;
 };
 
 /** \brief The levels, in the order in which they are tried until one has found a pose
