@@ -20,8 +20,8 @@ namespace {
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /** Log odds of poses that convince: the wrong ones of what is nearly symmetric stay
- * below. Of a scene few points at that level show little of an object, so that only odds
- * of ten to one do. */
+ * below. The few points of the coarse level show little of an object in a scene: there
+ * only odds of ten to one do. */
 constexpr double likely = 1.0, doubtless = 2.3;
 
 /** Few rotations lie farther apart, and leave points farther off: see reachOf(). */
@@ -32,7 +32,9 @@ widening(const Settings& settings)
          search_numbers::reachOf(numberOfRotations(Settings()));
 }
 
-/** Steps as wide as ICP on many starts closes; what they leave open is what counts. */
+/** Steps as wide as ICP on many starts closes; what they leave open is what counts.
+ * \param[in] ratio of the clouds' sizes
+ */
 SearchLevel
 coarse(const Settings& settings, double ratio)
 {
