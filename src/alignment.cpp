@@ -37,13 +37,12 @@ namespace {
 
 /** Whether a pose makes the additional process of (e12) unnecessary. */
 bool
-isGoodEnough(const JudgedPose& judged,
+isGoodEnough(const Similarity& pose,
              const Weights& weights,
              CandidateSearch& search,
              const Settings& settings)
 try {
-  return search.energyAt(judged.T_target_source, weights) <=
-         settings.additional_process_threshold;
+  return search.energyAt(pose, weights) <= settings.additional_process_threshold;
 }
 catch (const Stopped&) {
   return true; // it has to be
@@ -51,7 +50,7 @@ catch (const Stopped&) {
 
 /** ICP between the shapes, (e7) and (e8), from O_init; the additional process of (e12),
  * from all minima, where that is not good enough. */
-std::vector<JudgedPose>
+std::vector<Similarity>
 refined(const std::vector<Minimum>& minima,
         const ShapePair& shapes,
         const SelectionEffort& effort,
@@ -62,9 +61,9 @@ refined(const std::vector<Minimum>& minima,
   const Selection selection(shapes, effort, settings.threads);
   const Minimum& initial = minima.front();
   if (settings.additional_process_threshold > 0.0) {
-    auto judged = selection.best({initial.pose}, [](double) {});
-    if (isGoodEnough(judged.front(), initial.weights, search, settings))
-      return judged;
+    auto refined = selection.best({initial.pose}, [](double) {});
+    if (isGoodEnough(refined.front(), initial.weights, search, settings))
+      return refined;
   }
   std::vector<Similarity> poses;
   for (const Minimum& minimum : minima)
@@ -138,7 +137,7 @@ Alignment::align(const LocalCloud& source,
 
       // (e7), (e8) and (e12); T of (e11) is left to the clouds themselves
       stages.begin(prefix + "refinement");
-      for (const auto& [pose, overlap] :
+      for (const Similarity& pose :
            refined(minima, *shapes, level.selection, search, settings, done))
         alternatives.push_back(
             scorer.scored((T_target_shape * pose * T_shape_source).matrix()));

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
+#include "local_cloud.h"
 #include "poses.h"
 
 #include <pcl/registration/kss/alignment.h>
@@ -17,14 +18,6 @@ namespace {
 
 using namespace kss_test;
 using namespace pcl::kss;
-
-LocalCloud
-local(const Points& points)
-{
-  LocalCloud cloud;
-  cloud.points = points;
-  return cloud;
-}
 
 /** As many points as it takes: 2000 are for real scans. One thread: on a busy machine,
  * threads that wait for each other take many times as long over so little work. Both

@@ -4,6 +4,7 @@
  * The levels of the search, and what the finer ones find.
  */
 
+#include "local_cloud.h"
 #include "poses.h"
 
 #include <pcl/registration/kss/alignment.h>
@@ -19,14 +20,6 @@ namespace {
 
 using namespace kss_test;
 using namespace pcl::kss;
-
-LocalCloud
-local(const Points& points)
-{
-  LocalCloud cloud;
-  cloud.points = points;
-  return cloud;
-}
 
 Settings
 rigid(Mode mode)

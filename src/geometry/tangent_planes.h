@@ -11,6 +11,9 @@
 namespace pcl {
 namespace kss {
 
+/** \brief Cosine of the angle between normals that agree, where surfaces are smooth. */
+constexpr float agreeing = 0.8f;
+
 /** \brief The planes that the surface of a cloud has at its points, and how far they
  * can be trusted. */
 struct TangentPlanes {

@@ -58,7 +58,6 @@ planesOf(const Surface& surface, const LocalCloud& cloud, const Settings& settin
 double
 agreeingShare(const TangentPlanes& planes)
 {
-  constexpr float agreeing = 0.8f;
   return (planes.agreements.array() >= agreeing).cast<double>().mean();
 }
 

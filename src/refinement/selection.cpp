@@ -83,7 +83,7 @@ Selection::Selection(const ShapePair& shapes,
 {
 }
 
-std::vector<JudgedPose>
+std::vector<Similarity>
 Selection::best(const std::vector<Similarity>& poses,
                 const std::function<void(double)>& done) const
 {
@@ -97,15 +97,10 @@ Selection::best(const std::vector<Similarity>& poses,
     // the best so far have to do
     ranked.resize(std::min(ranked.size(), most_alternatives));
   }
-  std::vector<JudgedPose> judged;
+  std::vector<Similarity> best;
   for (const Ranked& candidate : ranked)
-    judged.push_back({candidate.pose, overlapAt(*shapes_.source.all,
-                                                *shapes_.target.all, candidate.pose)});
-  std::stable_sort(judged.begin(), judged.end(),
-                   [](const JudgedPose& a, const JudgedPose& b) {
-                     return a.overlap.score > b.overlap.score;
-                   });
-  return judged;
+    best.push_back(candidate.pose);
+  return best;
 }
 
 void

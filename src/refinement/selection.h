@@ -16,14 +16,6 @@
 namespace pcl {
 namespace kss {
 
-/** \brief A pose between pre-shapes, and how much of the clouds lies on each other
- * there.
- */
-struct JudgedPose {
-  Similarity T_target_source;
-  Overlap overlap;
-};
-
 /** \brief The choice among local minima: the additional process of (e12).
  *
  * All poses are refined with few points, and fewer and fewer of them with more. First
@@ -40,12 +32,12 @@ public:
             const SelectionEffort& effort,
             unsigned int threads);
 
-  /** \brief The distinct poses that refinement leads to, by falling score; five at
-   * most. Where the work is stopped, as far as they have come.
+  /** \brief The distinct poses that refinement leads to, the best first; as many as the
+   * effort says at most. Where the work is stopped, as far as they have come.
    * \param[in] poses at least one
    * \param[in] done told the share of the work that is done
    */
-  std::vector<JudgedPose>
+  std::vector<Similarity>
   best(const std::vector<Similarity>& poses,
        const std::function<void(double)>& done) const;
 

@@ -30,9 +30,6 @@ constexpr float within_noise = 2.5f;
  * trusted: what a surface bends within them, and what scanners distort. */
 constexpr float least_noise = 0.1f;
 
-/** \brief Cosine of the angle between normals that agree, where surfaces are smooth. */
-constexpr float agreeing = 0.8f;
-
 /** \brief By how much less than those of neighbours they may agree where they are not,
  * and the least that still is agreement. */
 constexpr float less_than_neighbours = 0.1f, least_agreeing = 0.3f;

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
+#include "local_cloud.h"
 #include "poses.h"
 
 #include "candidates/sweeps.h"
@@ -23,9 +24,7 @@ constexpr ScaleRange wide{0.35, 1.0 / 0.35};
 PreShape
 preShape(const Points& points)
 {
-  LocalCloud cloud;
-  cloud.points = points;
-  return toPreShape(cloud);
+  return toPreShape(local(points));
 }
 
 Settings

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
+#include "local_cloud.h"
 #include "poses.h"
 
 #include "geometry/pre_shape.h"
@@ -16,15 +17,6 @@ namespace {
 
 using namespace kss_test;
 using namespace pcl::kss;
-
-LocalCloud
-local(const Points& points, const Eigen::Vector3d& origin = Eigen::Vector3d::Zero())
-{
-  LocalCloud cloud;
-  cloud.points = points;
-  cloud.origin = origin;
-  return cloud;
-}
 
 TEST(PreShape, IsCentredAndOfUnitSize)
 {

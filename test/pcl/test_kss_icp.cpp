@@ -89,6 +89,11 @@ TEST(KSSICP, TellsHowItWent)
   for (const auto& other : alternatives)
     EXPECT_TRUE(logOddsOf(alternatives.front()) >= logOddsOf(other) ||
                 areEquallyGood(alternatives.front(), other));
+  // then the others, the likeliest first, and again those without a run of ICP
+  int rises = 0;
+  for (std::size_t i = 2; i < alternatives.size(); ++i)
+    rises += logOddsOf(alternatives[i - 1]) < logOddsOf(alternatives[i]);
+  EXPECT_LE(rises, 1);
   EXPECT_NEAR(1.5, registration.getOverlap().score, 0.15);
   EXPECT_GT(registration.getOverlap().source, 0.95);
   EXPECT_GT(registration.getOverlap().target, 0.95);

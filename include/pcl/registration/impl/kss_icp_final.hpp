@@ -27,9 +27,8 @@ KSSICP<PointSource, PointTarget, Scalar>::settle(
     const std::optional<Eigen::Matrix4d>& guess,
     std::vector<Contender>& contenders)
 try {
-  if (guess) {
+  if (guess)
     contenders.insert(contenders.begin(), {scorer.scored(*guess), {}, true});
-  }
   int runs = 0;
   double best = -std::numeric_limits<double>::infinity(), closest = 0.0;
   for (Contender& contender : contenders) {
@@ -213,11 +212,11 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(
   Alternative after;
   if (is_pose)
     after = scorer.scored(final_transformation_.template cast<double>());
-  const Alternative before = scorer.scored(pose);
   const bool loses_overlap =
-      after.overlap.score < (1.0 - kss::final_icp_loss) * before.overlap.score;
-  if (!is_pose || (loses_overlap && kss::logOddsOf(after) < kss::logOddsOf(before))) {
-    after = before;
+      after.overlap.score < (1.0 - kss::final_icp_loss) * contender.overlap.score;
+  if (!is_pose ||
+      (loses_overlap && kss::logOddsOf(after) < kss::logOddsOf(contender))) {
+    after = contender;
     run.transformation = pose.cast<Scalar>();
     run.converged = true;
     run.precision = {};
