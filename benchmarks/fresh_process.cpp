@@ -7,8 +7,7 @@
 #include "clouds.h"
 #include "judgement.h"
 #include "process.h"
-
-#include <pcl/registration/kss_icp.h>
+#include "registration.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -31,7 +30,7 @@ registerAndTell(pcl::kss::Mode mode, std::size_t size)
   const double resident = residentBytes();
   const double wall = wallSeconds(), cpu = cpuSeconds();
 
-  pcl::KSSICP<pcl::PointXYZ, pcl::PointXYZ> kss_icp;
+  KSSICP kss_icp;
   kss_icp.setMode(mode);
   kss_icp.setInputSource(pair.source);
   kss_icp.setInputTarget(pair.target);
@@ -54,6 +53,7 @@ startAnew(pcl::kss::Mode mode, std::size_t size, const std::string& cache)
   }
   execl("/proc/self/exe", "pcl_kss_icp_benchmark", flag.c_str(),
         std::to_string(static_cast<int>(mode)).c_str(), std::to_string(size).c_str(),
+        ("--threads=" + std::to_string(options().threads)).c_str(),
         static_cast<char*>(nullptr));
   _exit(127);
 }

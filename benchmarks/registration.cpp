@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
-// The whole registration by KSSICP: a new object, both clouds, align().
+// The whole registration by KSSICP of the sampled surface, at all sizes.
 
 #include "registration.h"
 
@@ -10,6 +10,9 @@
 #include "sizes.h"
 
 namespace benchmarks {
+
+using pcl::kss::Mode;
+using pcl::kss::Settings;
 
 void
 warmUp()
@@ -26,32 +29,40 @@ warmUp()
   benchmark::DoNotOptimize(warm);
 }
 
-namespace {
-
 void
-registerPair(benchmark::State& state, pcl::kss::Mode mode, bool estimate_scale)
+registerPair(benchmark::State& state, const Pair& pair, const Settings& settings)
 {
   warmUp();
-  const Pair& pair = pairOf(state.range(0));
   Eigen::Matrix4f pose = Eigen::Matrix4f::Identity();
   for (auto _ : state) {
     KSSICP kss_icp;
-    kss_icp.setMode(mode);
-    kss_icp.setScaleEstimation(estimate_scale);
+    kss_icp.setSettings(settings);
     kss_icp.setInputSource(pair.source);
     kss_icp.setInputTarget(pair.target);
     Cloud aligned;
     kss_icp.align(aligned);
     pose = kss_icp.getFinalTransformation();
+    state.counters["converged"] = kss_icp.hasConverged();
   }
   judge(state, pose, pair);
+}
+
+namespace {
+
+void
+registerSurface(benchmark::State& state, Mode mode, bool estimate_scale)
+{
+  Settings settings = KSSICP().getSettings();
+  settings.mode = mode;
+  settings.estimate_scale = estimate_scale;
+  registerPair(state, pairOf(state.range(0)), settings);
 }
 
 // as it comes: the scale is unknown
 void
 Automatic(benchmark::State& state)
 {
-  registerPair(state, pcl::kss::Mode::AUTOMATIC, true);
+  registerSurface(state, Mode::AUTOMATIC, true);
 }
 BENCHMARK(Automatic)->Apply(smallSizes);
 BENCHMARK(Automatic)->Apply(largeSizes);
@@ -59,7 +70,7 @@ BENCHMARK(Automatic)->Apply(largeSizes);
 void
 GlobalGlobal(benchmark::State& state)
 {
-  registerPair(state, pcl::kss::Mode::GLOBAL_GLOBAL, true);
+  registerSurface(state, Mode::GLOBAL_GLOBAL, true);
 }
 BENCHMARK(GlobalGlobal)->Apply(smallSizes);
 BENCHMARK(GlobalGlobal)->Apply(largeSizes);
@@ -68,7 +79,7 @@ BENCHMARK(GlobalGlobal)->Apply(largeSizes);
 void
 AutomaticRigid(benchmark::State& state)
 {
-  registerPair(state, pcl::kss::Mode::AUTOMATIC, false);
+  registerSurface(state, Mode::AUTOMATIC, false);
 }
 BENCHMARK(AutomaticRigid)->Apply(smallSizes);
 BENCHMARK(AutomaticRigid)->Apply(largeSizes);
@@ -76,10 +87,46 @@ BENCHMARK(AutomaticRigid)->Apply(largeSizes);
 void
 GlobalGlobalRigid(benchmark::State& state)
 {
-  registerPair(state, pcl::kss::Mode::GLOBAL_GLOBAL, false);
+  registerSurface(state, Mode::GLOBAL_GLOBAL, false);
 }
 BENCHMARK(GlobalGlobalRigid)->Apply(smallSizes);
 BENCHMARK(GlobalGlobalRigid)->Apply(largeSizes);
+
+// without OpenCL
+void
+AutomaticHost(benchmark::State& state)
+{
+  Settings settings = KSSICP().getSettings();
+  settings.device = "host";
+  registerPair(state, pairOf(state.range(0)), settings);
+}
+BENCHMARK(AutomaticHost)->Apply([](benchmark::internal::Benchmark* benchmark) {
+  timed(benchmark, 5);
+  benchmark->Arg(10000);
+});
+
+// What a second thread gains, in wall time; these heed no --threads.
+void
+registerByThreads(benchmark::State& state, unsigned int threads)
+{
+  Settings settings = KSSICP().getSettings();
+  settings.threads = threads;
+  registerPair(state, pairOf(state.range(0)), settings);
+}
+
+void
+AutomaticOneThread(benchmark::State& state)
+{
+  registerByThreads(state, 1);
+}
+BENCHMARK(AutomaticOneThread)->Apply(someSizes);
+
+void
+AutomaticTwoThreads(benchmark::State& state)
+{
+  registerByThreads(state, 2);
+}
+BENCHMARK(AutomaticTwoThreads)->Apply(someSizes);
 
 } // namespace
 } // namespace benchmarks

@@ -16,17 +16,22 @@ FAILED = "failed"
 
 
 class Results:
-    """The medians of what was measured, by name of the benchmark and number of points."""
+    """The medians of what was measured, by name of the benchmark and its argument: the
+    number of points, or the seed of a street or room as "seed:1"."""
 
     def __init__(self, runs):
         self.runs = {}
         for run in runs:
             if run["run_type"] == "iteration":
                 name, size = run["run_name"].split("/")[:2]
-                self.runs.setdefault((name, int(size)), []).append(run)
+                size = int(size) if size.isdigit() else size
+                self.runs.setdefault((name, size), []).append(run)
 
     def sizes(self):
-        return sorted({size for _, size in self.runs})
+        return sorted({size for _, size in self.runs if isinstance(size, int)})
+
+    def seeds(self):
+        return sorted({size for _, size in self.runs if not isinstance(size, int)})
 
     def median(self, name, size, field):
         """A median; None where nothing was measured, or FAILED."""
@@ -43,6 +48,12 @@ class Results:
 
     def seconds(self, name, size):
         return self.median(name, size, "cpu_time")
+
+    def seconds_and_error(self, name, size):
+        seconds = self.seconds(name, size)
+        error = self.median(name, size, "error_degrees")
+        return (f"{text(seconds)} ({text(error, 2)}°)" if isinstance(error, float)
+                else text(seconds))
 
 
 def ratio(a, b):
@@ -98,14 +109,49 @@ def variants(results):
     """Time and error of everything that registers."""
     rows = []
     for size in results.sizes():
-        cells = []
-        for name, _ in VARIANTS:
-            seconds = results.seconds(name, size)
-            error = results.median(name, size, "error_degrees")
-            cells.append(f"{text(seconds)} ({text(error, 2)}°)"
-                         if isinstance(error, float) else text(seconds))
-        rows.append([f"{size:,}"] + cells)
+        rows.append([f"{size:,}"] + [results.seconds_and_error(name, size)
+                                     for name, _ in VARIANTS])
     return table(["points"] + [title for _, title in VARIANTS], rows)
+
+
+def scan_title(scene, seed):
+    """Street, seed:1: street 1."""
+    return f"{scene.lower()} {seed.split(':')[-1]}"
+
+
+def scans(results):
+    """Streets and rooms: KSS-ICP beside KISS-Matcher (kiss_matcher.py)."""
+    rows = []
+    for scene in ("Street", "Room"):
+        for seed in results.seeds():
+            names = [f"{scene}{method}" for method in ("Rigid", "KissMatcher")]
+            points = results.median(names[0], seed, "source_points")
+            rows.append([scan_title(scene, seed)] +
+                        [results.seconds_and_error(name, seed) for name in names] +
+                        [text(points)])
+    return table(["scans", "automatic, scale known", "KISS-Matcher", "points"], rows)
+
+
+def host(results):
+    """OpenCL beside none, at the sizes at which both were measured."""
+    rows = []
+    for size in results.sizes():
+        device, no_device = (results.seconds(name, size)
+                             for name in ("Automatic", "AutomaticHost"))
+        if no_device is not None:
+            rows.append([f"{size:,}", text(device), text(no_device),
+                         times(ratio(no_device, device))])
+    return table(["points", "automatic", "without OpenCL", "without / automatic"], rows)
+
+
+def threads(results):
+    """Wall time by one and by two threads."""
+    rows = []
+    for size in results.sizes():
+        one, two = (results.median(name, size, "real_time")
+                    for name in ("AutomaticOneThread", "AutomaticTwoThreads"))
+        rows.append([f"{size:,}", text(one), text(two), times(ratio(one, two))])
+    return table(["points", "one thread", "two threads", "one / two"], rows)
 
 
 def steps(results, name, titles):
@@ -116,10 +162,16 @@ def steps(results, name, titles):
 
 
 def stages(results):
-    """Whatever stages there are, with their names."""
-    fields = sorted({field for (name, _), runs in results.runs.items() if name == "Stages"
+    """Whatever stages there are, with their names, of the surface and of scans."""
+    fields = sorted({field for (name, _), runs in results.runs.items()
+                     if name.startswith("Stages")
                      for run in runs for field in run if field.endswith("_s")})
-    return steps(results, "Stages", {field: field[:-2] for field in fields})
+    whats = [("Stages", size, f"{size:,}") for size in results.sizes()]
+    whats += [(f"Stages{scene}Rigid", seed, scan_title(scene, seed))
+              for scene in ("Street", "Room") for seed in results.seeds()]
+    rows = [[title] + [text(results.median(name, size, field)) for field in fields]
+            for name, size, title in whats]
+    return table(["points or scans"] + [field[:-2] for field in fields], rows)
 
 
 def targets(results):
@@ -173,6 +225,9 @@ def main(paths):
             "sac_ia_s": "SAC-IA", "icp_s": "ICP", "icp_iterations": "ICP iterations"})),
         ("VoxelGrid + KdTree, CPU seconds", steps(results, "VoxelGridAndKdTree", {
             "voxel_grid_s": "VoxelGrid, both clouds", "kd_tree_s": "KdTreeFLANN, target"})),
+        ("Scans: CPU seconds and rotation error", scans(results)),
+        ("Without OpenCL, CPU seconds", host(results)),
+        ("Threads, wall seconds", threads(results)),
         ("Stages of automatic, wall seconds", stages(results)),
     ]
     print("\n".join(f"## {title}\n\n{content}" for title, content in sections), end="")

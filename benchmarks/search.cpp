@@ -20,10 +20,10 @@ void
 search(benchmark::State& state, pcl::kss::Mode mode, pcl::kss::Search search)
 {
   const Pair& pair = pairOf(state.range(0));
-  pcl::kss::Settings settings = pcl::kss::paperSettings({});
+  KSSICP kss_icp;
+  pcl::kss::Settings settings = pcl::kss::paperSettings(kss_icp.getSettings());
   settings.mode = mode;
   settings.search = search;
-  KSSICP kss_icp;
   kss_icp.setSettings(settings);
   Cloud aligned;
   for (auto _ : state) {

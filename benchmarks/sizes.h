@@ -9,6 +9,12 @@
 /** The numbers of points, and how everything is timed at them. */
 namespace benchmarks {
 
+/** \brief All numbers of points. */
+constexpr int sizes[] = {5000, 10000, 50000, 100000, 500000, 1000000};
+
+/** \brief All streets and rooms. */
+constexpr int seeds[] = {1, 2, 3};
+
 /** \brief CPU time of the whole process over all threads, and wall time beside it; one
  * registration per repetition.
  * \param[in] repetitions of which the median counts
@@ -43,8 +49,26 @@ inline void
 allSizesOften(benchmark::internal::Benchmark* benchmark)
 {
   timed(benchmark, 5);
-  for (const int size : {5000, 10000, 50000, 100000, 500000, 1000000})
+  for (const int size : sizes)
     benchmark->Arg(size);
+}
+
+inline void
+allSizes(benchmark::internal::Benchmark* benchmark)
+{
+  timed(benchmark, 3);
+  for (const int size : sizes)
+    benchmark->Arg(size);
+}
+
+/** \brief The argument is not a number of points. */
+inline void
+allSeeds(benchmark::internal::Benchmark* benchmark)
+{
+  timed(benchmark, 3);
+  benchmark->ArgName("seed");
+  for (const int seed : seeds)
+    benchmark->Arg(seed);
 }
 
 inline void
@@ -52,13 +76,6 @@ someSizes(benchmark::internal::Benchmark* benchmark)
 {
   timed(benchmark, 3);
   benchmark->Arg(10000)->Arg(100000)->Arg(1000000);
-}
-
-inline void
-twoSizes(benchmark::internal::Benchmark* benchmark)
-{
-  timed(benchmark, 3);
-  benchmark->Arg(10000)->Arg(1000000);
 }
 
 /** \brief For what does not vary: memory. */

@@ -6,19 +6,18 @@
 
 #include "judgement.h"
 #include "registration.h"
+#include "scans.h"
 #include "sizes.h"
-
-#include <map>
 
 namespace benchmarks {
 namespace {
 
 void
-Stages(benchmark::State& state)
+timeStages(benchmark::State& state, const Pair& pair, bool estimate_scale)
 {
   warmUp();
-  const Pair& pair = pairOf(state.range(0));
   KSSICP kss_icp;
+  kss_icp.setScaleEstimation(estimate_scale);
   for (auto _ : state) {
     kss_icp.setInputSource(pair.source);
     kss_icp.setInputTarget(pair.target);
@@ -29,7 +28,27 @@ Stages(benchmark::State& state)
     state.counters[stage.stage + "_s"].value += stage.seconds;
   judge(state, kss_icp.getFinalTransformation(), pair);
 }
-BENCHMARK(Stages)->Apply(twoSizes);
+
+void
+Stages(benchmark::State& state)
+{
+  timeStages(state, pairOf(state.range(0)), true);
+}
+BENCHMARK(Stages)->Apply(allSizes);
+
+void
+StagesStreetRigid(benchmark::State& state)
+{
+  timeStages(state, streetPair(state.range(0)), false);
+}
+BENCHMARK(StagesStreetRigid)->Apply(allSeeds);
+
+void
+StagesRoomRigid(benchmark::State& state)
+{
+  timeStages(state, roomPair(state.range(0)), false);
+}
+BENCHMARK(StagesRoomRigid)->Apply(allSeeds);
 
 } // namespace
 } // namespace benchmarks
