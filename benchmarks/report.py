@@ -101,6 +101,7 @@ def registrations(results):
 VARIANTS = [("Automatic", "automatic"), ("AutomaticRigid", "automatic, scale known"),
             ("GlobalGlobal", "GlobalGlobal"),
             ("GlobalGlobalRigid", "GlobalGlobal, scale known"),
+            ("KissMatcher", "KISS-Matcher"),
             ("SacIaIcp", "SAC-IA + ICP"), ("SacIaShortIcp", "SAC-IA + 10 iterations of ICP"),
             ("SacIaOfTutorialIcp", "SAC-IA as in PCL's tutorial + ICP")]
 
