@@ -89,7 +89,7 @@ registerWithProgress(const Geometry& source,
     };
   return registerClouds(pointsOf(source, options.samples),
                         pointsOf(target, options.samples), options.settings, guess,
-                        options.iterations);
+                        options.iterations, !options.report.empty());
 }
 
 /** Say how many points were left out, far away from all others. */

@@ -4,42 +4,45 @@
 
 #include "registration.h"
 
+#include "fitness.h"
 #include "local_frame.h"
 
 #include <pcl/registration/kss/detail/naming.h>
 #include <pcl/registration/kss_icp.h>
 
-#include <algorithm>
 #include <chrono>
 
 namespace tool {
 namespace {
 
 /** The finite points as floats, which PCL's point types hold, in a local frame; zeros
- * for normals that are not known. */
+ * for normals that are not known.
+ * \param[out] unheld how many finite points floats cannot hold there
+ */
 template <typename PointT>
 typename pcl::PointCloud<PointT>::Ptr
-localCloud(const SurfacePoints& points, const Eigen::Vector3d& origin)
+localCloud(const SurfacePoints& points,
+           const Eigen::Vector3d& origin,
+           std::size_t& unheld)
 {
   auto cloud = pcl::make_shared<pcl::PointCloud<PointT>>();
+  cloud->reserve(points.positions.size());
+  unheld = 0;
   for (std::size_t i = 0; i < points.positions.size(); ++i) {
     PointT point;
     point.getVector3fMap() = (points.positions[i] - origin).template cast<float>();
-    if (!point.getVector3fMap().allFinite())
+    if (!point.getVector3fMap().allFinite()) {
+      unheld += points.positions[i].allFinite() ? 1 : 0;
       continue;
+    }
     if constexpr (pcl::traits::has_normal<PointT>::value)
       if (!points.normals.empty())
         point.getNormalVector3fMap() = points.normals[i].template cast<float>();
-    cloud->push_back(point);
+    cloud->points.push_back(point);
   }
+  cloud->width = static_cast<std::uint32_t>(cloud->size());
+  cloud->height = 1;
   return cloud;
-}
-
-std::size_t
-finite(const Points& points)
-{
-  return std::count_if(points.begin(), points.end(),
-                       [](const Eigen::Vector3d& point) { return point.allFinite(); });
 }
 
 /** registerClouds() with points of a type. */
@@ -49,7 +52,8 @@ registerAs(const SurfacePoints& source,
            const SurfacePoints& target,
            const pcl::kss::Settings& settings,
            const std::optional<Eigen::Matrix4d>& guess,
-           int iterations)
+           int iterations,
+           bool with_fitness)
 {
   const auto start = std::chrono::steady_clock::now();
   const Eigen::Vector3d source_origin =
@@ -61,10 +65,9 @@ registerAs(const SurfacePoints& source,
   registration.setSettings(settings);
   if (iterations > 0)
     registration.setMaximumIterations(iterations);
-  const auto source_cloud = localCloud<PointT>(source, source_origin);
-  const auto target_cloud = localCloud<PointT>(target, target_origin);
-  registration.setInputSource(source_cloud);
-  registration.setInputTarget(target_cloud);
+  pcl::kss::FarPoints unheld;
+  registration.setInputSource(localCloud<PointT>(source, source_origin, unheld.source));
+  registration.setInputTarget(localCloud<PointT>(target, target_origin, unheld.target));
   pcl::PointCloud<PointT> aligned;
   if (guess)
     registration.align(aligned, toLocalFrames(*guess, source_origin, target_origin));
@@ -87,11 +90,12 @@ registerAs(const SurfacePoints& source,
   result.ambiguous = registration.isAmbiguous();
   result.mode = registration.getFoundMode();
   result.search = pcl::kss::searchOf(settings);
-  result.fitness = registration.getFitnessScore();
+  // on large clouds the nearest points of all take longer than the registration
+  if (with_fitness && !result.poses.empty())
+    result.fitness = fitnessOf(aligned, *registration.getSearchMethodTarget());
   // those that floats cannot hold are farther away still
   const auto far = registration.getNumberOfFarPoints();
-  result.far_points = {far.source + finite(source.positions) - source_cloud->size(),
-                       far.target + finite(target.positions) - target_cloud->size()};
+  result.far_points = {far.source + unheld.source, far.target + unheld.target};
   result.device = registration.getDeviceName();
   result.stages = registration.getStageSeconds();
   const std::chrono::duration<double> seconds =
@@ -107,12 +111,13 @@ registerClouds(const SurfacePoints& source,
                const SurfacePoints& target,
                const pcl::kss::Settings& settings,
                const std::optional<Eigen::Matrix4d>& guess,
-               int iterations)
+               int iterations,
+               bool with_fitness)
 {
-  return source.normals.empty() && target.normals.empty()
-             ? registerAs<pcl::PointXYZ>(source, target, settings, guess, iterations)
-             : registerAs<pcl::PointNormal>(source, target, settings, guess,
-                                            iterations);
+  const bool without_normals = source.normals.empty() && target.normals.empty();
+  const auto register_as =
+      without_normals ? registerAs<pcl::PointXYZ> : registerAs<pcl::PointNormal>;
+  return register_as(source, target, settings, guess, iterations, with_fitness);
 }
 
 } // namespace tool

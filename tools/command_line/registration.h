@@ -48,8 +48,10 @@ struct Result {
   pcl::kss::Mode mode;
   /** \brief How the candidates were searched. */
   pcl::kss::Search search;
-  /** \brief The mean squared distance of the source's points from the target. */
-  double fitness;
+  /** \brief The mean squared distance of the source's points from the nearest ones of
+   * the target, see fitnessOf(); none where it was not asked for, or there is no pose.
+   */
+  std::optional<double> fitness;
   /** \brief How many points of each cloud were left out, too far away from the others.
    */
   pcl::kss::FarPoints far_points;
@@ -63,12 +65,14 @@ struct Result {
  * \param[in] target at least one point finite
  * \param[in] guess in the coordinates of the files; none: no guess
  * \param[in] iterations of the final ICP at most; 0: as many as the library allows
+ * \param[in] with_fitness whether to find the fitness, too
  */
 Result
 registerClouds(const SurfacePoints& source,
                const SurfacePoints& target,
                const pcl::kss::Settings& settings,
                const std::optional<Eigen::Matrix4d>& guess,
-               int iterations);
+               int iterations,
+               bool with_fitness);
 
 } // namespace tool

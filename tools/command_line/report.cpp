@@ -145,7 +145,8 @@ reportText(const Result& result)
     report["mode"] = wordOf<&pcl::kss::Settings::mode>(result.mode);
     report["overlap"] = toJSON(result.poses.front().overlap);
     report["score"] = result.poses.front().overlap.score;
-    report["fitness"] = result.fitness;
+    if (result.fitness)
+      report["fitness"] = *result.fitness;
   }
   for (const auto& pose : result.poses)
     report["alternatives"].push_back({{"transformation", toJSON(pose.transformation)},
