@@ -44,8 +44,7 @@ shuffled(SurfacePoints points, Random& random)
 Surface::Surface(const std::string& path)
 {
   tool::Geometry geometry = tool::readGeometry(path);
-  geometry = tool::transformed(
-      geometry, normalisation(tool::boundingBox(tool::positionsOf(geometry))));
+  geometry = tool::transformed(geometry, normalisation(tool::boundingBox(geometry)));
   if (!geometry.faces.empty()) {
     mesh_.emplace(geometry);
     if (!(mesh_->area() > 0.0))

@@ -13,10 +13,11 @@ Eigen::Vector3d
 localOrigin(const Points& points)
 {
   pcl::Indices finite;
+  finite.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points[i].allFinite())
       finite.push_back(static_cast<pcl::index_t>(i));
-  std::vector<Eigen::Vector3d> some;
+  Points some;
   for (const pcl::index_t i : pcl::kss::spread(finite, pcl::kss::bulk_points))
     some.push_back(points[i]);
   // the middle of the box is wherever a point far away from all others puts it

@@ -60,7 +60,7 @@ read(const std::string& path, bool quiet)
 {
   Geometry geometry = readGeometry(path);
   if (!quiet && hasSinglePrecision(geometry) &&
-      singlePrecisionIsCoarse(boundingBox(positionsOf(geometry))))
+      singlePrecisionIsCoarse(boundingBox(geometry)))
     complain("warning: " + path +
              ": its coordinates are far from the origin and held in single precision, "
              "which rounds them; doubles in .ply or .xyz would be exact");

@@ -3,7 +3,7 @@
 if(TARGET pcl_kss_icp_files)
   return()
 endif()
-find_package(PCL 1.12 REQUIRED COMPONENTS common io)
+find_package(PCL 1.12 REQUIRED COMPONENTS common)
 
 set(files_dir ${CMAKE_CURRENT_LIST_DIR})
 add_library(pcl_kss_icp_files STATIC
@@ -15,6 +15,7 @@ add_library(pcl_kss_icp_files STATIC
   ${files_dir}/text_lines.cpp
   ${files_dir}/read_geometry.cpp
   ${files_dir}/pcd_header.cpp
+  ${files_dir}/lzf.cpp
   ${files_dir}/read_pcd.cpp
   ${files_dir}/ply_header.cpp
   ${files_dir}/ply_values.cpp
@@ -26,6 +27,7 @@ add_library(pcl_kss_icp_files STATIC
   ${files_dir}/mesh_orientation.cpp
   ${files_dir}/mesh_sampling.cpp
   ${files_dir}/write_geometry.cpp
+  ${files_dir}/write_pcd.cpp
   ${files_dir}/write_ply.cpp
   ${files_dir}/write_text.cpp
   ${files_dir}/write_stl.cpp)
@@ -33,5 +35,4 @@ target_compile_features(pcl_kss_icp_files PUBLIC cxx_std_17)
 target_compile_options(pcl_kss_icp_files PRIVATE -Wall -Wextra)
 target_include_directories(pcl_kss_icp_files PUBLIC ${files_dir}/..)
 target_link_libraries(pcl_kss_icp_files
-  PUBLIC pcl_common Eigen3::Eigen
-  PRIVATE pcl_io)
+  PUBLIC pcl_common Eigen3::Eigen)

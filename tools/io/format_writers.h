@@ -9,10 +9,14 @@
 #include <ostream>
 
 /** \file
- * One writer for each file format, but for PCD, whose header PCL writes.
+ * One writer for each file format.
  */
 
 namespace tool {
+
+/** \brief Write a binary PCD file with all fields. */
+void
+writePCD(std::ostream& stream, const Geometry& geometry);
 
 /** \brief Write a binary PLY file with all fields and faces. */
 void

@@ -24,10 +24,27 @@ isCoordinate(const pcl::PCLPointField& field)
 Points
 vectorsOf(const pcl::PCLPointCloud2& cloud, const VectorField& field)
 {
-  Points vectors(numberOfPoints(cloud));
-  for (std::size_t i = 0; i < vectors.size(); ++i)
-    vectors[i] = field.get(&cloud.data[i * cloud.point_step]);
+  Points vectors;
+  vectors.reserve(numberOfPoints(cloud));
+  for (std::size_t i = 0; i < numberOfPoints(cloud); ++i)
+    vectors.push_back(field.get(&cloud.data[i * cloud.point_step]));
   return vectors;
+}
+
+/** The box around all finite positions that a function makes of those of the points. */
+template <typename Function>
+Eigen::AlignedBox3d
+boxOf(const pcl::PCLPointCloud2& cloud, Function&& function)
+{
+  const VectorField position(cloud, VectorField::POSITION);
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < numberOfPoints(cloud); ++i) {
+    const Eigen::Vector3d point =
+        function(position.get(&cloud.data[i * cloud.point_step]));
+    if (point.allFinite())
+      box.extend(point);
+  }
+  return box;
 }
 
 } // namespace
@@ -46,13 +63,10 @@ normalsOf(const Geometry& geometry)
 }
 
 Eigen::AlignedBox3d
-boundingBox(const Points& points)
+boundingBox(const Geometry& geometry)
 {
-  Eigen::AlignedBox3d box;
-  for (const auto& point : points)
-    if (point.allFinite())
-      box.extend(point);
-  return box;
+  return boxOf(geometry.cloud,
+               [](const Eigen::Vector3d& position) { return position; });
 }
 
 double
@@ -119,21 +133,23 @@ transformed(Geometry geometry, const Eigen::Matrix4d& similarity)
   const Eigen::Matrix3d rotation =
       transform.linear() / std::cbrt(transform.linear().determinant());
 
-  Points points = positionsOf(geometry);
-  for (auto& point : points)
-    if (point.allFinite())
-      point = transform * point;
+  const auto place = [&](const Eigen::Vector3d& point) -> Eigen::Vector3d {
+    return transform * point;
+  };
 
-  if (!hasSinglePrecision(geometry) || singlePrecisionIsCoarse(boundingBox(points)))
+  if (!hasSinglePrecision(geometry) ||
+      singlePrecisionIsCoarse(boxOf(geometry.cloud, place)))
     setCoordinateType(geometry, pcl::PCLPointField::FLOAT64);
 
   auto& cloud = geometry.cloud;
   const VectorField position(cloud, VectorField::POSITION);
   const VectorField normal(cloud, VectorField::NORMAL);
   const bool has_normals = normal.isFloatingPoint();
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; i < numberOfPoints(cloud); ++i) {
     std::uint8_t* point = &cloud.data[i * cloud.point_step];
-    position.set(point, points[i]);
+    const Eigen::Vector3d before = position.get(point);
+    if (before.allFinite())
+      position.set(point, place(before));
     if (has_normals)
       normal.set(point, rotation * normal.get(point));
   }

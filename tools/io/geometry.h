@@ -44,7 +44,7 @@ normalsOf(const Geometry& geometry);
 
 /** \brief The box around all finite points; empty where there are none. */
 Eigen::AlignedBox3d
-boundingBox(const Points& points);
+boundingBox(const Geometry& geometry);
 
 /** \brief How far single precision rounds coordinates in a box, as a fraction of the
  * box's diagonal.

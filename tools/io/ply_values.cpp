@@ -87,12 +87,17 @@ public:
   {
     const std::size_t size =
         withType(datatype, [](auto number) { return sizeof number; });
-    if (stream_.rdbuf()->sgetn(reinterpret_cast<char*>(bytes), size) !=
-        static_cast<std::streamsize>(size))
-      fail("holds less data than its header announces; the file is damaged or "
-           "incomplete");
+    takeBytes(bytes, size);
     if (is_big_endian_)
       std::reverse(bytes, bytes + size);
+  }
+
+  bool
+  takeElements(std::uint8_t* bytes, std::size_t size) override
+  {
+    if (!is_big_endian_)
+      takeBytes(bytes, size);
+    return !is_big_endian_;
   }
 
   void
@@ -115,6 +120,15 @@ public:
   }
 
 private:
+  void
+  takeBytes(std::uint8_t* bytes, std::size_t size)
+  {
+    if (stream_.rdbuf()->sgetn(reinterpret_cast<char*>(bytes), size) !=
+        static_cast<std::streamsize>(size))
+      fail("holds less data than its header announces; the file is damaged or "
+           "incomplete");
+  }
+
   std::istream& stream_;
   bool is_big_endian_;
 };

@@ -28,6 +28,15 @@ public:
   virtual void
   take(std::uint8_t datatype, std::uint8_t* bytes) = 0;
 
+  /** \brief Take elements as a whole, if the file has their bytes as memory does.
+   * \return whether it has; else nothing is taken
+   */
+  virtual bool
+  takeElements(std::uint8_t*, std::size_t)
+  {
+    return false;
+  }
+
   /** \brief Expect that the element has no more values. */
   virtual void
   endElement() = 0;

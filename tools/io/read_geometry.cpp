@@ -86,25 +86,28 @@ check(const Geometry& geometry)
   if (cloud.data.size() != numberOfPoints(cloud) * cloud.point_step)
     throw std::runtime_error("the file is damaged or incomplete");
 
-  const Points points = positionsOf(geometry);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (const double coordinate : points[i])
+  const VectorField position(cloud, VectorField::POSITION);
+  const std::size_t points = numberOfPoints(cloud);
+  bool has_finite = false;
+  for (std::size_t i = 0; i < points; ++i) {
+    const Eigen::Vector3d point = position.get(&cloud.data[i * cloud.point_step]);
+    for (const double coordinate : point)
       if (std::isfinite(coordinate) && std::abs(coordinate) > LARGEST_COORDINATE)
         throw std::runtime_error(
             "point " + std::to_string(i + 1) + " has the coordinate " +
             inShort(coordinate) +
             ", which single precision cannot carry; remove the point, or, if the file "
             "names the wrong types for its data, correct them");
-  if (std::none_of(points.begin(), points.end(),
-                   [](const Eigen::Vector3d& point) { return point.allFinite(); }))
+    has_finite = has_finite || point.allFinite();
+  }
+  if (!has_finite)
     throw std::runtime_error("has no finite points");
 
   for (const auto& face : geometry.faces)
     for (const auto vertex : face.vertices)
-      if (static_cast<std::size_t>(vertex) >= points.size())
+      if (static_cast<std::size_t>(vertex) >= points)
         throw std::runtime_error("a face refers to point " + std::to_string(vertex) +
-                                 ", but there are only " +
-                                 std::to_string(points.size()));
+                                 ", but there are only " + std::to_string(points));
 }
 
 } // namespace

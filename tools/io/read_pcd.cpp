@@ -5,13 +5,15 @@
 #include "fields.h"
 #include "file_bytes.h"
 #include "format_readers.h"
+#include "lzf.h"
 #include "numbers.h"
 #include "pcd_header.h"
 
-#include <pcl/io/lzf.h>
-
+#include <algorithm>
 #include <cstring>
+#include <memory>
 #include <stdexcept>
+#include <type_traits>
 
 /** \file
  * PCL 1.13 crashes on headers with a word that it does not know, and takes rows and
@@ -85,6 +87,49 @@ readBinary(const PCDHeader& header, std::istream& stream)
   return data;
 }
 
+/** Bytes that nobody has filled: to fill them takes as long as to read them. */
+std::unique_ptr<std::uint8_t[]>
+roomFor(std::size_t bytes)
+{
+  return std::unique_ptr<std::uint8_t[]>(new std::uint8_t[bytes]);
+}
+
+/** Bring values that stand one behind the other to where points have them. */
+template <typename Size>
+void
+scatter(const std::uint8_t* from,
+        std::size_t points,
+        Size size, // known to the compiler for most
+        std::uint8_t* to,
+        std::size_t step)
+{
+  for (std::size_t i = 0; i < points; ++i)
+    std::memcpy(to + i * step, from + i * size, size);
+}
+
+/** The points, of data in which all values of a field stand together. */
+Bytes
+rowsOf(const PCDHeader& header, const std::uint8_t* columns)
+{
+  constexpr std::uint64_t at_once = 1024; // what the processor's cache holds
+  Bytes rows(header.points * header.point_step);
+  for (std::uint64_t first = 0; first < header.points; first += at_once) {
+    const std::uint64_t points = std::min(at_once, header.points - first);
+    for (const auto& field : header.fields) {
+      const std::size_t size = sizeOf(field);
+      // the columns before take as many bytes as the fields before, for all points
+      const std::uint8_t* from = columns + field.offset * header.points + first * size;
+      std::uint8_t* to = &rows[first * header.point_step + field.offset];
+      if (size == 4)
+        scatter(from, points, std::integral_constant<std::size_t, 4>(), to,
+                header.point_step);
+      else
+        scatter(from, points, size, to, header.point_step);
+    }
+  }
+  return rows;
+}
+
 /** Read compressed data, in which all values of a field stand together. */
 Bytes
 readCompressed(const PCDHeader& header, std::istream& stream)
@@ -97,22 +142,15 @@ readCompressed(const PCDHeader& header, std::istream& stream)
       sizes[1] > sizes[0] * highest_ratio ||
       sizes[1] != header.points * header.point_step)
     failIncomplete(header);
-  Bytes compressed(sizes[0]);
-  stream.read(reinterpret_cast<char*>(compressed.data()), compressed.size());
+  const auto compressed = roomFor(sizes[0]);
+  stream.read(reinterpret_cast<char*>(compressed.get()), sizes[0]);
   if (!stream)
     failIncomplete(header);
   expectOnlyZeros(header, stream);
-  Bytes columns(sizes[1]);
-  if (pcl::lzfDecompress(compressed.data(), sizes[0], columns.data(), sizes[1]) !=
-      sizes[1])
+  const auto columns = roomFor(sizes[1]);
+  if (!decompressLZF(compressed.get(), sizes[0], columns.get(), sizes[1]))
     throw std::runtime_error("its compressed data are damaged");
-
-  Bytes data(columns.size());
-  const std::uint8_t* from = columns.data();
-  for (const auto& field : header.fields)
-    for (std::uint64_t i = 0; i < header.points; ++i, from += sizeOf(field))
-      std::memcpy(&data[i * header.point_step + field.offset], from, sizeOf(field));
-  return data;
+  return rowsOf(header, columns.get());
 }
 
 } // namespace

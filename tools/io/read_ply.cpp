@@ -10,6 +10,8 @@
 #include "ply_values.h"
 #include "vector_field.h"
 
+#include <pcl/common/io.h>
+
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -100,11 +102,26 @@ makeFields(const Element& vertex, pcl::PCLPointCloud2& cloud)
   return columns;
 }
 
+/** Whether the values of a point stand in the file as they will in memory. */
+bool
+areAsInFile(const std::vector<Column>& columns)
+{
+  std::uint32_t end = 0;
+  for (const auto& column : columns) {
+    if (column.widen || column.offset != end)
+      return false;
+    end += pcl::getFieldSize(column.datatype);
+  }
+  return true;
+}
+
 void
 readPoints(const Element& vertex, PLYValues& values, pcl::PCLPointCloud2& cloud)
 {
   const std::vector<Column> columns = makeFields(vertex, cloud);
   setNumberOfPoints(cloud, vertex.count);
+  if (areAsInFile(columns) && values.takeElements(cloud.data.data(), cloud.data.size()))
+    return;
   for (std::uint64_t i = 0; i < vertex.count; ++i) {
     std::uint8_t* point = &cloud.data[i * cloud.point_step];
     values.beginElement();

@@ -16,16 +16,23 @@ namespace {
 
 constexpr const char* WHITE_SPACE = " \t\r\n\v\f";
 
+bool
+isWhite(char character)
+{
+  return character == ' ' || (character >= '\t' && character <= '\r');
+}
+
 /** A file that is no text need not have ends of lines. */
 constexpr std::size_t LONGEST_LINE = 1 << 24;
 
 std::string_view
 trimmed(std::string_view text)
 {
-  const auto first = text.find_first_not_of(WHITE_SPACE);
-  if (first == std::string_view::npos)
-    return {};
-  return text.substr(first, text.find_last_not_of(WHITE_SPACE) - first + 1);
+  while (!text.empty() && isWhite(text.front()))
+    text.remove_prefix(1);
+  while (!text.empty() && isWhite(text.back()))
+    text.remove_suffix(1);
+  return text;
 }
 
 } // namespace
@@ -117,14 +124,22 @@ TextLines::words()
   words_.clear();
   const char* separators = this->separators();
   const std::string_view text = text_;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const auto end = std::min(text.find_first_of(separators, begin), text.size());
-    const std::string_view word = trimmed(text.substr(begin, end - begin));
-    begin = end + 1;
-    // Blanks may stand in a row, other separators at the end.
-    if (!word.empty() || (separators != WHITE_SPACE && begin <= text.size()))
-      words_.push_back(word);
+  if (separators == WHITE_SPACE) {
+    for (const char *here = text.data(), *end = here + text.size(); here != end;) {
+      const char* word = std::find_if_not(here, end, isWhite);
+      here = std::find_if(word, end, isWhite);
+      if (word != here)
+        words_.push_back({word, static_cast<std::size_t>(here - word)});
+    }
+    return words_;
   }
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const auto end = std::min(text.find(*separators, begin), text.size());
+    words_.push_back(trimmed(text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  if (!words_.empty() && words_.back().empty()) // a separator may stand at the end
+    words_.pop_back();
   return words_;
 }
 

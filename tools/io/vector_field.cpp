@@ -15,6 +15,9 @@ VectorField::VectorField(const pcl::PCLPointCloud2& cloud,
 {
   for (std::size_t i = 0; i < 3; ++i)
     fields_[i] = findField(cloud, names[i]);
+  all_float_ = std::all_of(fields_.begin(), fields_.end(), [](const auto* field) {
+    return field && field->datatype == pcl::PCLPointField::FLOAT32;
+  });
 }
 
 bool
@@ -33,7 +36,7 @@ VectorField::isFloatingPoint() const
 }
 
 Eigen::Vector3d
-VectorField::get(const std::uint8_t* point) const
+VectorField::getNumbers(const std::uint8_t* point) const
 {
   return {getNumber(*fields_[0], point), getNumber(*fields_[1], point),
           getNumber(*fields_[2], point)};

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstring>
 
 namespace tool {
 
@@ -37,7 +38,15 @@ public:
    * \param[in] point the first byte of the point
    */
   Eigen::Vector3d
-  get(const std::uint8_t* point) const;
+  get(const std::uint8_t* point) const
+  {
+    if (!all_float_)
+      return getNumbers(point);
+    Eigen::Vector3f floats; // what nearly all clouds have
+    for (int i = 0; i < 3; ++i)
+      std::memcpy(&floats[i], point + fields_[i]->offset, sizeof(float));
+    return floats.cast<double>();
+  }
 
   /** \brief Write the vector, if isFloatingPoint().
    * \param[in] point the first byte of the point
@@ -46,7 +55,12 @@ public:
   set(std::uint8_t* point, const Eigen::Vector3d& value) const;
 
 private:
+  /** \brief Read the vector, whatever types its components have. */
+  Eigen::Vector3d
+  getNumbers(const std::uint8_t* point) const;
+
   std::array<const pcl::PCLPointField*, 3> fields_;
+  bool all_float_;
 };
 
 } // namespace tool

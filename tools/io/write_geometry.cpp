@@ -6,8 +6,6 @@
 
 #include "format_writers.h"
 
-#include <pcl/io/pcd_io.h>
-
 #include <stdexcept>
 
 namespace tool {
@@ -19,25 +17,10 @@ constexpr double NEGLIGIBLE = 1e-6;
 using Writer = void (*)(std::ostream&, const Geometry&);
 
 /** Numbers from text have no type to keep, and most programs read floats only. */
-Geometry
-withSensibleType(const Geometry& geometry)
+bool
+suitsFloats(const Geometry& geometry)
 {
-  Geometry result = geometry;
-  if (geometry.from_text &&
-      singlePrecisionError(boundingBox(positionsOf(geometry))) < NEGLIGIBLE)
-    setCoordinateType(result, pcl::PCLPointField::FLOAT32);
-  return result;
-}
-
-/** PCL would map the file into memory, where a full disk ends the program. */
-void
-writePCD(std::ostream& stream, const Geometry& geometry)
-{
-  stream << pcl::PCDWriter().generateHeaderBinary(
-                geometry.cloud, geometry.sensor_origin, geometry.sensor_orientation)
-         << "DATA binary\n";
-  stream.write(reinterpret_cast<const char*>(geometry.cloud.data.data()),
-               static_cast<std::streamsize>(geometry.cloud.data.size()));
+  return geometry.from_text && singlePrecisionError(boundingBox(geometry)) < NEGLIGIBLE;
 }
 
 Writer
@@ -65,8 +48,13 @@ writerOf(FileFormat format)
 void
 writeGeometry(const Geometry& geometry, FileFormat format, std::ostream& stream)
 {
+  const Writer write = writerOf(format);
   const bool has_types = format == FileFormat::PCD || format == FileFormat::PLY;
-  writerOf(format)(stream, has_types ? withSensibleType(geometry) : geometry);
+  if (!has_types || !suitsFloats(geometry))
+    return write(stream, geometry);
+  Geometry narrow = geometry;
+  setCoordinateType(narrow, pcl::PCLPointField::FLOAT32);
+  write(stream, narrow);
 }
 
 } // namespace tool
