@@ -15,9 +15,10 @@ namespace tool {
  * distances' deviation is the error of their mean. */
 constexpr std::size_t FITNESS_POINTS = 10000;
 
-/** \brief The mean squared distance of a source's finite points from the nearest points
- * of its target, by FITNESS_POINTS of them, spread over the cloud as it is stored.
- * \param[in] placed the source where it has been registered; at least one point finite
+/** \brief The mean squared distance of a source's points from the nearest points of its
+ * target, by FITNESS_POINTS of them, spread over the cloud as it is stored.
+ * \param[in] placed the source where it has been registered; at least one point, all
+ * finite
  * \param[in] tree of the target
  */
 template <typename PointT>
@@ -25,9 +26,7 @@ double
 fitnessOf(const pcl::PointCloud<PointT>& placed,
           const pcl::search::KdTree<PointT>& tree)
 {
-  const pcl::Indices finite =
-      pcl::kss::finiteIndices(placed, pcl::kss::allIndices(placed));
-  pcl::Indices some = pcl::kss::spread(finite, FITNESS_POINTS);
+  pcl::Indices some = pcl::kss::spread(pcl::kss::allIndices(placed), FITNESS_POINTS);
   pcl::kss::sortInSpace(placed, some);
   double sum = 0.0;
   pcl::Indices nearest(1);

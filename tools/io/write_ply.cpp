@@ -8,8 +8,11 @@
 #include <pcl/common/io.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <string>
+#include <variant>
+#include <vector>
 
 /** \file
  * PCL 1.13 writes unreadable files for normals in double precision, and meshes of
@@ -66,6 +69,37 @@ writeBytes(std::ostream& stream, T value)
   stream.write(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
+/** Bytes that stand in the file as they do in memory. */
+struct Span {
+  std::size_t offset, size;
+};
+
+/** A part of what is written of a point: bytes, or a field written otherwise. */
+using Part = std::variant<Span, pcl::PCLPointField>;
+
+std::vector<Part>
+partsOf(const pcl::PCLPointCloud2& cloud)
+{
+  std::vector<Part> parts;
+  for (const auto& field : cloud.fields) {
+    if (isPadding(field))
+      continue;
+    const bool becomes_double = typeName(field.datatype) == "double" &&
+                                field.datatype != pcl::PCLPointField::FLOAT64;
+    if (isPackedColour(field) || becomes_double) {
+      parts.emplace_back(field);
+      continue;
+    }
+    Span* before = parts.empty() ? nullptr : std::get_if<Span>(&parts.back());
+    if (before && before->offset + before->size == field.offset)
+      before->size += sizeOf(field);
+    else
+      parts.emplace_back(Span{field.offset, sizeOf(field)});
+  }
+  return parts;
+}
+
+/** Write a field whose bytes in memory are not those in the file. */
 void
 writeField(std::ostream& stream,
            const pcl::PCLPointField& field,
@@ -73,14 +107,33 @@ writeField(std::ostream& stream,
 {
   if (isPackedColour(field)) {
     const auto colour = getColour(field, point);
-    for (std::size_t i = 0; i < (field.name == "rgba" ? 4 : 3); ++i)
-      writeBytes(stream, colour[i]);
+    stream.write(reinterpret_cast<const char*>(colour.data()),
+                 field.name == "rgba" ? 4 : 3);
   }
-  else if (typeName(field.datatype) == "double")
+  else
     for (std::size_t i = 0; i < std::max<std::size_t>(field.count, 1); ++i)
       writeBytes(stream, getNumber(field, point, i));
-  else
-    stream.write(reinterpret_cast<const char*>(point + field.offset), sizeOf(field));
+}
+
+void
+writePoints(std::ostream& stream, const pcl::PCLPointCloud2& cloud)
+{
+  const auto write = [&](const std::uint8_t* bytes, std::size_t size) {
+    stream.write(reinterpret_cast<const char*>(bytes),
+                 static_cast<std::streamsize>(size));
+  };
+  const std::vector<Part> parts = partsOf(cloud);
+  const Span* all = parts.size() == 1 ? std::get_if<Span>(&parts[0]) : nullptr;
+  if (all && all->size == cloud.point_step)
+    return write(cloud.data.data(), cloud.data.size());
+  for (std::size_t i = 0; i < numberOfPoints(cloud); ++i) {
+    const std::uint8_t* point = &cloud.data[i * cloud.point_step];
+    for (const auto& part : parts)
+      if (const auto* span = std::get_if<Span>(&part))
+        write(point + span->offset, span->size);
+      else
+        writeField(stream, std::get<pcl::PCLPointField>(part), point);
+  }
 }
 
 /** Write the length of a face's list of points. */
@@ -119,10 +172,7 @@ writePLY(std::ostream& stream, const Geometry& geometry)
            << (short_faces ? "uchar" : "uint") << " int vertex_indices\n";
   stream << "end_header\n";
 
-  for (std::size_t i = 0; i < numberOfPoints(cloud); ++i)
-    for (const auto& field : cloud.fields)
-      if (!isPadding(field))
-        writeField(stream, field, &cloud.data[i * cloud.point_step]);
+  writePoints(stream, cloud);
   for (const auto& face : geometry.faces) {
     writeLength(stream, face.vertices.size(), short_faces);
     for (const auto vertex : face.vertices)
