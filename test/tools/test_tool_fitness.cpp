@@ -4,6 +4,7 @@
 
 #include "command_line/fitness.h"
 #include "command_line/registration.h"
+#include "io/mesh_sampling.h"
 
 #include <pcl/kdtree/kdtree_flann.h>
 
@@ -71,7 +72,8 @@ quickly(const SurfacePoints& source, const SurfacePoints& target, bool with_fitn
   settings.estimate_scale = false;
   settings.sample_points = 300;
   settings.device = "host";
-  return registerClouds(source, target, settings, {}, 0, with_fitness);
+  return registerClouds(cloudOf(source), cloudOf(target), settings, {}, 0,
+                        with_fitness);
 }
 
 } // namespace

@@ -4,22 +4,29 @@
 
 #include "local_frame.h"
 
+#include "io/fields.h"
+#include "io/vector_field.h"
+
 #include <pcl/registration/kss/detail/bulk.h>
 #include <pcl/registration/kss/detail/cloud_conversion.h>
 
 namespace tool {
 
 Eigen::Vector3d
-localOrigin(const Points& points)
+localOrigin(const pcl::PCLPointCloud2& cloud)
 {
+  const VectorField position(cloud, VectorField::POSITION);
+  const auto at = [&](std::size_t i) {
+    return position.get(&cloud.data[i * cloud.point_step]);
+  };
   pcl::Indices finite;
-  finite.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].allFinite())
+  finite.reserve(numberOfPoints(cloud));
+  for (std::size_t i = 0; i < numberOfPoints(cloud); ++i)
+    if (at(i).allFinite())
       finite.push_back(static_cast<pcl::index_t>(i));
-  Points some;
+  std::vector<Eigen::Vector3d> some;
   for (const pcl::index_t i : pcl::kss::spread(finite, pcl::kss::bulk_points))
-    some.push_back(points[i]);
+    some.push_back(at(static_cast<std::size_t>(i)));
   // the middle of the box is wherever a point far away from all others puts it
   const pcl::kss::Bulk bulk = pcl::kss::bulkOf(some);
   pcl::kss::throwIfTooWide(bulk);

@@ -4,17 +4,19 @@
 
 #pragma once
 
-#include "io/geometry.h"
+#include <pcl/PCLPointCloud2.h>
+
+#include <Eigen/Core>
 
 namespace tool {
 
 /** \brief The origin of a frame amid a cloud, in which floats are as fine as can be:
  * the median, which points far away do not move.
- * \param[in] points at least one of them finite
+ * \param[in] cloud has x, y and z, and at least one finite point
  * \throws std::invalid_argument where single precision cannot hold the cloud
  */
 Eigen::Vector3d
-localOrigin(const Points& points);
+localOrigin(const pcl::PCLPointCloud2& cloud);
 
 /** \brief A transformation between two frames as one between local ones in them.
  * \param[in] transformation of points in the frames

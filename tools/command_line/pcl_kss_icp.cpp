@@ -67,13 +67,12 @@ read(const std::string& path, bool quiet)
   return geometry;
 }
 
-/** The points that stand for a file's contents. */
-SurfacePoints
-pointsOf(const Geometry& geometry, std::size_t samples)
+/** Points that stand for a mesh; none for what is no mesh. */
+pcl::PCLPointCloud2
+samplesOf(const Geometry& geometry, std::size_t number)
 {
-  if (!geometry.faces.empty())
-    return sampleMesh(geometry, samples);
-  return {positionsOf(geometry), normalsOf(geometry)};
+  return geometry.faces.empty() ? pcl::PCLPointCloud2()
+                                : cloudOf(sampleMesh(geometry, number));
 }
 
 Result
@@ -87,9 +86,12 @@ registerWithProgress(const Geometry& source,
     options.settings.progress = [&](const std::string& stage, double done) {
       bar.show(stage, done);
     };
-  return registerClouds(pointsOf(source, options.samples),
-                        pointsOf(target, options.samples), options.settings, guess,
-                        options.iterations, !options.report.empty());
+  const pcl::PCLPointCloud2 source_samples = samplesOf(source, options.samples);
+  const pcl::PCLPointCloud2 target_samples = samplesOf(target, options.samples);
+  return registerClouds(source.faces.empty() ? source.cloud : source_samples,
+                        target.faces.empty() ? target.cloud : target_samples,
+                        options.settings, guess, options.iterations,
+                        !options.report.empty());
 }
 
 /** Say how many points were left out, far away from all others. */

@@ -5,6 +5,8 @@
 #include "registration.h"
 
 #include "fitness.h"
+#include "io/fields.h"
+#include "io/vector_field.h"
 #include "local_frame.h"
 
 #include <pcl/registration/kss/detail/naming.h>
@@ -21,23 +23,28 @@ namespace {
  */
 template <typename PointT>
 typename pcl::PointCloud<PointT>::Ptr
-localCloud(const SurfacePoints& points,
+localCloud(const pcl::PCLPointCloud2& points,
            const Eigen::Vector3d& origin,
            std::size_t& unheld)
 {
+  const VectorField positions(points, VectorField::POSITION);
+  const VectorField normals(points, VectorField::NORMAL);
+  const bool has_normals = normals.exists();
   auto cloud = pcl::make_shared<pcl::PointCloud<PointT>>();
-  cloud->reserve(points.positions.size());
+  cloud->reserve(numberOfPoints(points));
   unheld = 0;
-  for (std::size_t i = 0; i < points.positions.size(); ++i) {
+  for (std::size_t i = 0; i < numberOfPoints(points); ++i) {
+    const std::uint8_t* bytes = &points.data[i * points.point_step];
+    const Eigen::Vector3d position = positions.get(bytes);
     PointT point;
-    point.getVector3fMap() = (points.positions[i] - origin).template cast<float>();
+    point.getVector3fMap() = (position - origin).template cast<float>();
     if (!point.getVector3fMap().allFinite()) {
-      unheld += points.positions[i].allFinite() ? 1 : 0;
+      unheld += position.allFinite() ? 1 : 0;
       continue;
     }
     if constexpr (pcl::traits::has_normal<PointT>::value)
-      if (!points.normals.empty())
-        point.getNormalVector3fMap() = points.normals[i].template cast<float>();
+      if (has_normals)
+        point.getNormalVector3fMap() = normals.get(bytes).template cast<float>();
     cloud->points.push_back(point);
   }
   cloud->width = static_cast<std::uint32_t>(cloud->size());
@@ -48,8 +55,8 @@ localCloud(const SurfacePoints& points,
 /** registerClouds() with points of a type. */
 template <typename PointT>
 Result
-registerAs(const SurfacePoints& source,
-           const SurfacePoints& target,
+registerAs(const pcl::PCLPointCloud2& source,
+           const pcl::PCLPointCloud2& target,
            const pcl::kss::Settings& settings,
            const std::optional<Eigen::Matrix4d>& guess,
            int iterations,
@@ -57,9 +64,9 @@ registerAs(const SurfacePoints& source,
 {
   const auto start = std::chrono::steady_clock::now();
   const Eigen::Vector3d source_origin =
-      pcl::kss::naming("source", [&] { return localOrigin(source.positions); });
+      pcl::kss::naming("source", [&] { return localOrigin(source); });
   const Eigen::Vector3d target_origin =
-      pcl::kss::naming("target", [&] { return localOrigin(target.positions); });
+      pcl::kss::naming("target", [&] { return localOrigin(target); });
 
   pcl::KSSICP<PointT, PointT, double> registration;
   registration.setSettings(settings);
@@ -107,16 +114,17 @@ registerAs(const SurfacePoints& source,
 } // namespace
 
 Result
-registerClouds(const SurfacePoints& source,
-               const SurfacePoints& target,
+registerClouds(const pcl::PCLPointCloud2& source,
+               const pcl::PCLPointCloud2& target,
                const pcl::kss::Settings& settings,
                const std::optional<Eigen::Matrix4d>& guess,
                int iterations,
                bool with_fitness)
 {
-  const bool without_normals = source.normals.empty() && target.normals.empty();
+  const bool has_normals = VectorField(source, VectorField::NORMAL).exists() ||
+                           VectorField(target, VectorField::NORMAL).exists();
   const auto register_as =
-      without_normals ? registerAs<pcl::PointXYZ> : registerAs<pcl::PointNormal>;
+      has_normals ? registerAs<pcl::PointNormal> : registerAs<pcl::PointXYZ>;
   return register_as(source, target, settings, guess, iterations, with_fitness);
 }
 

@@ -4,8 +4,7 @@
 
 #pragma once
 
-#include "io/mesh_sampling.h"
-
+#include <pcl/PCLPointCloud2.h>
 #include <pcl/registration/kss/detail/bulk.h>
 #include <pcl/registration/kss/failure.h>
 #include <pcl/registration/kss/result.h>
@@ -61,15 +60,15 @@ struct Result {
 };
 
 /** \brief Register two clouds, by their normals, too, where either has some.
- * \param[in] source at least one point finite
- * \param[in] target at least one point finite
+ * \param[in] source has x, y and z, and at least one finite point
+ * \param[in] target the same
  * \param[in] guess in the coordinates of the files; none: no guess
  * \param[in] iterations of the final ICP at most; 0: as many as the library allows
  * \param[in] with_fitness whether to find the fitness, too
  */
 Result
-registerClouds(const SurfacePoints& source,
-               const SurfacePoints& target,
+registerClouds(const pcl::PCLPointCloud2& source,
+               const pcl::PCLPointCloud2& target,
                const pcl::kss::Settings& settings,
                const std::optional<Eigen::Matrix4d>& guess,
                int iterations,

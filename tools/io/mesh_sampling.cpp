@@ -4,10 +4,12 @@
 
 #include "mesh_sampling.h"
 
+#include "fields.h"
 #include "mesh_orientation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace tool {
 namespace {
@@ -71,6 +73,23 @@ sampleMesh(const Geometry& mesh, std::size_t number)
     samples.normals.push_back(sample.normal);
   }
   return samples;
+}
+
+pcl::PCLPointCloud2
+cloudOf(const SurfacePoints& points)
+{
+  std::vector<std::string> names{"x", "y", "z"};
+  if (!points.normals.empty())
+    names.insert(names.end(), {"normal_x", "normal_y", "normal_z"});
+  std::vector<double> numbers;
+  numbers.reserve(points.positions.size() * names.size());
+  for (std::size_t i = 0; i < points.positions.size(); ++i) {
+    numbers.insert(numbers.end(), points.positions[i].begin(),
+                   points.positions[i].end());
+    if (!points.normals.empty())
+      numbers.insert(numbers.end(), points.normals[i].begin(), points.normals[i].end());
+  }
+  return cloudOfDoubles(numbers, names);
 }
 
 } // namespace tool

@@ -60,4 +60,8 @@ struct SurfacePoints {
 SurfacePoints
 sampleMesh(const Geometry& mesh, std::size_t number);
 
+/** \brief Points of surfaces as a cloud, which keeps all their digits. */
+pcl::PCLPointCloud2
+cloudOf(const SurfacePoints& points);
+
 } // namespace tool

@@ -15,9 +15,11 @@ VectorField::VectorField(const pcl::PCLPointCloud2& cloud,
 {
   for (std::size_t i = 0; i < 3; ++i)
     fields_[i] = findField(cloud, names[i]);
-  all_float_ = std::all_of(fields_.begin(), fields_.end(), [](const auto* field) {
-    return field && field->datatype == pcl::PCLPointField::FLOAT32;
-  });
+  const bool have_one =
+      exists() && std::all_of(fields_.begin(), fields_.end(), [&](const auto* field) {
+        return field->datatype == fields_[0]->datatype;
+      });
+  common_type_ = have_one ? fields_[0]->datatype : 0;
 }
 
 bool

@@ -40,12 +40,14 @@ public:
   Eigen::Vector3d
   get(const std::uint8_t* point) const
   {
-    if (!all_float_)
+    switch (common_type_) { // those that nearly all clouds have
+    case pcl::PCLPointField::FLOAT32:
+      return getAs<float>(point);
+    case pcl::PCLPointField::FLOAT64:
+      return getAs<double>(point);
+    default:
       return getNumbers(point);
-    Eigen::Vector3f floats; // what nearly all clouds have
-    for (int i = 0; i < 3; ++i)
-      std::memcpy(&floats[i], point + fields_[i]->offset, sizeof(float));
-    return floats.cast<double>();
+    }
   }
 
   /** \brief Write the vector, if isFloatingPoint().
@@ -55,12 +57,23 @@ public:
   set(std::uint8_t* point, const Eigen::Vector3d& value) const;
 
 private:
+  template <typename Number>
+  Eigen::Vector3d
+  getAs(const std::uint8_t* point) const
+  {
+    Eigen::Matrix<Number, 3, 1> numbers;
+    for (int i = 0; i < 3; ++i)
+      std::memcpy(&numbers[i], point + fields_[i]->offset, sizeof(Number));
+    return numbers.template cast<double>();
+  }
+
   /** \brief Read the vector, whatever types its components have. */
   Eigen::Vector3d
   getNumbers(const std::uint8_t* point) const;
 
   std::array<const pcl::PCLPointField*, 3> fields_;
-  bool all_float_;
+  /** \brief The type of all three; 0 where there is none. */
+  std::uint8_t common_type_;
 };
 
 } // namespace tool
