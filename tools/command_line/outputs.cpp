@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace tool {
 namespace {
@@ -52,12 +53,12 @@ Outputs::checkFormat(const Geometry& source) const
 }
 
 void
-Outputs::write(const Result& result, const Geometry& source)
+Outputs::write(const Result& result, Geometry source)
 {
   const bool registered = result.converged;
   if (aligned_ && registered)
     aligned_->write([&](std::ostream& stream) {
-      writeGeometry(transformed(source, result.poses.front().transformation),
+      writeGeometry(transformed(std::move(source), result.poses.front().transformation),
                     fileFormatOf(options_.aligned), stream);
     });
   if (transform_ && registered)

@@ -33,7 +33,7 @@ public:
    * \throws std::runtime_error naming the file that cannot be written
    */
   void
-  write(const Result& result, const Geometry& source);
+  write(const Result& result, Geometry source);
 
 private:
   Options options_;

@@ -19,6 +19,7 @@
 #include <cctype>
 #include <iostream>
 #include <optional>
+#include <utility>
 
 /** \file
  * The command line tool: registers two files and writes the result.
@@ -109,7 +110,7 @@ registerFiles(const Options& options)
 {
   Outputs outputs(options);
   checkDevice(options.settings.device);
-  const Geometry source = read(options.source, options.quiet);
+  Geometry source = read(options.source, options.quiet);
   const Geometry target = read(options.target, options.quiet);
   outputs.checkFormat(source);
   std::optional<Eigen::Matrix4d> guess;
@@ -118,7 +119,7 @@ registerFiles(const Options& options)
 
   const Result result = registerWithProgress(source, target, guess, options);
 
-  outputs.write(result, source);
+  outputs.write(result, std::move(source));
   if (!options.quiet && result.converged) {
     warnOfFarPoints(result.far_points.source, options.source);
     warnOfFarPoints(result.far_points.target, options.target);

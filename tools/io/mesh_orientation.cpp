@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
-#include <set>
 #include <tuple>
 
 namespace tool {
@@ -15,94 +15,159 @@ namespace {
 
 using Faces = std::vector<pcl::Vertices>;
 
+/** The number of a point or a face: files with more than these hold are refused. */
+using Number = std::uint32_t;
+
 /** For every point the first one of the same coordinates. */
-std::vector<std::size_t>
+std::vector<Number>
 weld(const Points& points)
 {
-  std::vector<std::size_t> order(points.size()), first(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto key = [&](std::size_t i) {
-    return std::make_tuple(points[i].x(), points[i].y(), points[i].z());
+  struct Place {
+    double x, y, z;
+    Number point;
+
+    bool
+    operator<(const Place& other) const
+    {
+      return std::tie(x, y, z, point) <
+             std::tie(other.x, other.y, other.z, other.point);
+    }
   };
+  std::vector<Place> places;
+  places.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].allFinite())
+      places.push_back(
+          {points[i].x(), points[i].y(), points[i].z(), static_cast<Number>(i)});
+  std::sort(places.begin(), places.end());
+
+  std::vector<Number> first(points.size());
   std::iota(first.begin(), first.end(), 0);
-  order.erase(std::remove_if(order.begin(), order.end(),
-                             [&](std::size_t i) { return !points[i].allFinite(); }),
-              order.end());
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
-  for (std::size_t i = 1; i < order.size(); ++i)
-    if (points[order[i]] == points[order[i - 1]])
-      first[order[i]] = first[order[i - 1]];
+  for (std::size_t i = 1; i < places.size(); ++i)
+    if (points[places[i].point] == points[places[i - 1].point])
+      first[places[i].point] = first[places[i - 1].point];
   return first;
 }
 
 /** An edge of a face, its points in rising order. */
 struct Edge {
-  std::size_t low, high, face;
+  Number low, high, face;
   bool rises; ///< as the face is wound
-
-  bool
-  operator<(const Edge& other) const
-  {
-    return std::tie(low, high, face) < std::tie(other.low, other.high, other.face);
-  }
 };
 
-std::vector<Edge>
-sortedEdges(const Faces& faces, const std::vector<std::size_t>& welded)
+/** Whether a face has three corners that differ: what has no area has no neighbours. */
+bool
+hasThreeCorners(const pcl::Vertices& face, const std::vector<Number>& welded)
 {
-  std::vector<Edge> edges;
+  const auto& corners = face.vertices;
+  const auto differs_from = [&](Number one) {
+    return [&welded, one](pcl::index_t corner) { return welded[corner] != one; };
+  };
+  if (corners.empty())
+    return false;
+  const Number first = welded[corners[0]];
+  const auto second = std::find_if(corners.begin(), corners.end(), differs_from(first));
+  return second != corners.end() &&
+         std::any_of(second, corners.end(), [&](pcl::index_t corner) {
+           return welded[corner] != first && welded[corner] != welded[*second];
+         });
+}
+
+template <typename Function>
+void
+forEachEdge(const Faces& faces, const std::vector<Number>& welded, Function&& function)
+{
   for (std::size_t face = 0; face < faces.size(); ++face) {
-    const auto& corners = faces[face].vertices;
-    // what has no area has no neighbours
-    std::set<std::size_t> distinct;
-    for (const auto corner : corners)
-      distinct.insert(welded[corner]);
-    if (distinct.size() < 3)
+    if (!hasThreeCorners(faces[face], welded))
       continue;
+    const auto& corners = faces[face].vertices;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const std::size_t from = welded[corners[i]];
-      const std::size_t to = welded[corners[(i + 1) % corners.size()]];
+      const Number from = welded[corners[i]];
+      const Number to = welded[corners[i + 1 < corners.size() ? i + 1 : 0]];
       if (from != to)
-        edges.push_back({std::min(from, to), std::max(from, to), face, from < to});
+        function(Edge{std::min(from, to), std::max(from, to), static_cast<Number>(face),
+                      from < to});
     }
   }
-  std::sort(edges.begin(), edges.end());
+}
+
+/** Places of things that belong to others, of which each has so many: those of the i-th
+ * lie from the i-th place up to the next one. */
+std::vector<std::size_t>
+placesOf(const std::vector<Number>& counts)
+{
+  std::vector<std::size_t> places(counts.size() + 1);
+  std::partial_sum(counts.begin(), counts.end(), places.begin() + 1,
+                   [](std::size_t sum, std::size_t count) { return sum + count; });
+  return places;
+}
+
+/** The edges, by their lower point, then their higher one. */
+std::vector<Edge>
+sortedEdges(const Faces& faces, const std::vector<Number>& welded)
+{
+  std::vector<Number> counts(welded.size());
+  forEachEdge(faces, welded, [&](const Edge& edge) { ++counts[edge.low]; });
+  const std::vector<std::size_t> places = placesOf(counts);
+  std::vector<Edge> edges(places.back());
+  std::vector<std::size_t> next = places;
+  forEachEdge(faces, welded, [&](const Edge& edge) { edges[next[edge.low]++] = edge; });
+  for (std::size_t low = 0; low < welded.size(); ++low)
+    std::sort(edges.begin() + places[low], edges.begin() + places[low + 1],
+              [](const Edge& a, const Edge& b) {
+                return std::tie(a.high, a.face) < std::tie(b.high, b.face);
+              });
   return edges;
 }
 
 /** Two faces that share an edge. */
 struct Link {
-  std::size_t face;
+  Number face;
   bool opposed; ///< one of them is wound the other way round
 };
 
 /** How the faces of a mesh hang together. */
 struct Connections {
-  std::vector<std::vector<Link>> links; ///< of each face
-  std::vector<bool> has_border;         ///< whether a face lacks a neighbour
+  std::vector<Link> links;         ///< of all faces
+  std::vector<std::size_t> places; ///< of each face's links
+  std::vector<bool> has_border;    ///< whether a face lacks a neighbour
 };
 
 Connections
-connectionsOf(const Faces& faces, const std::vector<std::size_t>& welded)
+connectionsOf(const Faces& faces, const std::vector<Number>& welded)
 {
-  Connections found{std::vector<std::vector<Link>>(faces.size()),
-                    std::vector<bool>(faces.size())};
+  Connections found;
+  found.has_border.resize(faces.size());
   const std::vector<Edge> edges = sortedEdges(faces, welded);
-  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    while (end < edges.size() && edges[end].low == edges[begin].low &&
-           edges[end].high == edges[begin].high)
-      ++end;
-    const Edge &one = edges[begin], &other = edges[end - 1];
-    if (end - begin == 2 && one.face != other.face) {
-      const bool opposed = one.rises == other.rises;
-      found.links[one.face].push_back({other.face, opposed});
-      found.links[other.face].push_back({one.face, opposed});
+  const auto for_each_shared = [&](auto&& shared, auto&& border) {
+    for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+      while (end < edges.size() && edges[end].low == edges[begin].low &&
+             edges[end].high == edges[begin].high)
+        ++end;
+      if (end - begin == 2 && edges[begin].face != edges[begin + 1].face)
+        shared(edges[begin], edges[begin + 1]);
+      else
+        for (std::size_t i = begin; i < end; ++i)
+          border(edges[i].face);
     }
-    else
-      for (std::size_t i = begin; i < end; ++i)
-        found.has_border[edges[i].face] = true;
-  }
+  };
+  std::vector<Number> counts(faces.size());
+  for_each_shared(
+      [&](const Edge& one, const Edge& other) {
+        ++counts[one.face];
+        ++counts[other.face];
+      },
+      [&](Number face) { found.has_border[face] = true; });
+  found.places = placesOf(counts);
+  found.links.resize(found.places.back());
+  std::vector<std::size_t> next = found.places;
+  for_each_shared(
+      [&](const Edge& one, const Edge& other) {
+        const bool opposed = one.rises == other.rises;
+        found.links[next[one.face]++] = {other.face, opposed};
+        found.links[next[other.face]++] = {one.face, opposed};
+      },
+      [](Number) {});
   return found;
 }
 
@@ -129,7 +194,9 @@ componentFrom(std::size_t start,
   for (std::size_t i = 0; i < component.faces.size(); ++i) {
     const std::size_t face = component.faces[i];
     component.is_closed = component.is_closed && !connections.has_border[face];
-    for (const Link& link : connections.links[face]) {
+    for (std::size_t at = connections.places[face]; at < connections.places[face + 1];
+         ++at) {
+      const Link& link = connections.links[at];
       const bool turn = turned[face] != link.opposed;
       if (!seen[link.face]) {
         seen[link.face] = true;
@@ -159,10 +226,9 @@ volumeUnder(const pcl::Vertices& face,
 
 } // namespace
 
-void
-turnOutwards(Geometry& mesh)
+std::vector<bool>
+facesTurnedInwards(const Geometry& mesh, const Points& points)
 {
-  const Points points = positionsOf(mesh);
   const Connections connections = connectionsOf(mesh.faces, weld(points));
   std::vector<bool> seen(mesh.faces.size()), turned(mesh.faces.size());
   std::vector<std::size_t> wound; // by the file, all of its components
@@ -195,6 +261,13 @@ turnOutwards(Geometry& mesh)
   if (enclosed < 0.0)
     for (const std::size_t face : wound)
       turned[face] = true;
+  return turned;
+}
+
+void
+turnOutwards(Geometry& mesh)
+{
+  const std::vector<bool> turned = facesTurnedInwards(mesh, positionsOf(mesh));
   for (std::size_t face = 0; face < mesh.faces.size(); ++face)
     if (turned[face])
       std::reverse(mesh.faces[face].vertices.begin(), mesh.faces[face].vertices.end());

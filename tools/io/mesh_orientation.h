@@ -6,6 +6,8 @@
 
 #include "geometry.h"
 
+#include <vector>
+
 namespace tool {
 
 /** \brief Wind the faces of a mesh such that their normals point out of what it
@@ -19,5 +21,11 @@ namespace tool {
  */
 void
 turnOutwards(Geometry& mesh);
+
+/** \brief Which faces turnOutwards() winds the other way round.
+ * \param[in] points the positions of the mesh
+ */
+std::vector<bool>
+facesTurnedInwards(const Geometry& mesh, const Points& points);
 
 } // namespace tool

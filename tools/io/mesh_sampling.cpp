@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace tool {
 namespace {
@@ -26,20 +27,34 @@ random(std::mt19937_64& generator)
 } // namespace
 
 MeshSampler::MeshSampler(const Geometry& mesh)
+: MeshSampler(mesh, positionsOf(mesh), std::vector<bool>(mesh.faces.size()))
 {
-  const Points points = positionsOf(mesh);
+}
+
+MeshSampler::MeshSampler(const Geometry& mesh,
+                         Points points,
+                         const std::vector<bool>& turned)
+: points_(std::move(points))
+{
+  triangles_.reserve(mesh.faces.size());
+  area_up_to_.reserve(mesh.faces.size());
   double total = 0.0;
-  for (const auto& face : mesh.faces)
-    for (std::size_t i = 2; i < face.vertices.size(); ++i) { // as a fan of triangles
-      const Triangle corner{points[face.vertices[0]], points[face.vertices[i - 1]],
-                            points[face.vertices[i]]};
+  for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
+    const auto& vertices = mesh.faces[face].vertices;
+    const auto vertex = [&](std::size_t i) {
+      return vertices[turned[face] ? vertices.size() - 1 - i : i];
+    };
+    for (std::size_t i = 2; i < vertices.size(); ++i) { // as a fan of triangles
+      const Triangle triangle{vertex(0), vertex(i - 1), vertex(i)};
+      const auto corner = cornersOf(triangle);
       const double area =
           0.5 * (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
       if (!std::isfinite(area))
         continue;
-      triangles_.push_back(corner);
+      triangles_.push_back(triangle);
       area_up_to_.push_back(total += area);
     }
+  }
 }
 
 SurfacePoint
@@ -47,8 +62,8 @@ MeshSampler::draw(std::mt19937_64& generator) const
 {
   const auto chosen = std::upper_bound(area_up_to_.begin(), area_up_to_.end(),
                                        area() * random(generator));
-  const auto& corner = triangles_[std::min<std::size_t>(chosen - area_up_to_.begin(),
-                                                        triangles_.size() - 1)];
+  const auto corner = cornersOf(triangles_[std::min<std::size_t>(
+      chosen - area_up_to_.begin(), triangles_.size() - 1)]);
   // The square root makes the distribution even over the triangle.
   const double u = std::sqrt(random(generator));
   const double v = random(generator);
@@ -59,9 +74,9 @@ MeshSampler::draw(std::mt19937_64& generator) const
 SurfacePoints
 sampleMesh(const Geometry& mesh, std::size_t number)
 {
-  Geometry outwards = mesh;
-  turnOutwards(outwards);
-  const MeshSampler sampler(outwards);
+  Points points = positionsOf(mesh);
+  const std::vector<bool> turned = facesTurnedInwards(mesh, points);
+  const MeshSampler sampler(mesh, std::move(points), turned);
   if (!(sampler.area() > 0.0))
     return {positionsOf(mesh), normalsOf(mesh)};
 

@@ -23,6 +23,12 @@ public:
   /** \brief Faces that have a point that is not finite are left out. */
   explicit MeshSampler(const Geometry& mesh);
 
+  /** \brief The same of a mesh some of whose faces are wound the wrong way round.
+   * \param[in] points the positions of the mesh
+   * \param[in] turned which ones; one for each face
+   */
+  MeshSampler(const Geometry& mesh, Points points, const std::vector<bool>& turned);
+
   /** \brief The area of all faces; without any, nothing can be drawn. */
   double
   area() const
@@ -37,8 +43,15 @@ public:
   draw(std::mt19937_64& generator) const;
 
 private:
-  using Triangle = std::array<Eigen::Vector3d, 3>;
+  using Triangle = std::array<pcl::index_t, 3>;
 
+  std::array<Eigen::Vector3d, 3>
+  cornersOf(const Triangle& triangle) const
+  {
+    return {points_[triangle[0]], points_[triangle[1]], points_[triangle[2]]};
+  }
+
+  Points points_;
   std::vector<Triangle> triangles_;
   std::vector<double> area_up_to_;
 };

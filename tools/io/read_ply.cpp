@@ -12,6 +12,7 @@
 
 #include <pcl/common/io.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -157,18 +158,23 @@ readLists(const Element& element, PLYValues& values)
     throw std::runtime_error("its " + element.name +
                              "s cannot be read; save it with 'property list uchar int "
                              "vertex_indices'");
+  constexpr std::uint32_t usual_length = 8; // more may be a lie
   std::vector<pcl::Vertices> lists;
+  lists.reserve(element.count); // which the file has bytes for
   for (std::uint64_t i = 0; i < element.count; ++i) {
     lists.emplace_back();
+    auto& vertices = lists.back().vertices;
     values.beginElement();
     for (const auto& property : element.properties)
       if (&property != indices)
         skip(property, values);
-      else
-        for (auto length = values.takeCount(property.length_datatype); length > 0;
-             --length)
-          lists.back().vertices.push_back(
+      else {
+        auto length = values.takeCount(property.length_datatype);
+        vertices.reserve(std::min(length, usual_length));
+        for (; length > 0; --length)
+          vertices.push_back(
               static_cast<pcl::index_t>(values.takeCount(property.datatype)));
+      }
     values.endElement();
   }
   return lists;
