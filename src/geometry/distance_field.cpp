@@ -35,21 +35,29 @@ DistanceField::DistanceField(const Points& points, float cell, float margin)
   nearest_.assign(numberOfCells(size_), -1);
   distances_.assign(nearest_.size(), std::numeric_limits<float>::max());
 
+  for (int axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < size_[axis]; ++i)
+      centers_[axis].push_back(lower_[axis] + cell * (static_cast<float>(i) + 0.5f));
+
   // squared distances first
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    offer(points, cell, cellOf(points.col(i)), static_cast<int>(i));
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const Eigen::Array3i at = coordinatesOf(points.col(i));
+    offer(points, cellAt(at),
+          {centers_[0][at.x()], centers_[1][at.y()], centers_[2][at.z()]},
+          static_cast<int>(i));
+  }
   for (int round = 0; round < 2; ++round)
-    spread(points, cell);
+    spread(points);
   for (float& distance : distances_)
     distance = std::sqrt(distance);
 }
 
 void
-DistanceField::offer(const Points& points, float edge, std::size_t cell, int point)
+DistanceField::offer(const Points& points,
+                     std::size_t cell,
+                     const Eigen::Vector3f& center,
+                     int point)
 {
-  const Eigen::Vector3f at(cell % size_.x(), cell / size_.x() % size_.y(),
-                           cell / size_.x() / size_.y());
-  const Eigen::Vector3f center = lower_ + edge * (at.array() + 0.5f).matrix();
   const float squared = (points.col(point) - center).squaredNorm();
   if (squared < distances_[cell]) {
     distances_[cell] = squared;
@@ -63,25 +71,32 @@ DistanceField::offer(const Points& points, float edge, std::size_t cell, int poi
 // a point's cell the first round alone reaches every cell by steps along x, then y,
 // then z, each of which adds an edge at most.
 void
-DistanceField::spread(const Points& points, float edge)
+DistanceField::spread(const Points& points)
 {
-  const auto ask = [&](std::ptrdiff_t cell, std::ptrdiff_t neighbour) {
-    const int point = nearest_[neighbour];
-    if (point >= 0 && point != nearest_[cell])
-      offer(points, edge, cell, point);
-  };
-  const auto cells = static_cast<std::ptrdiff_t>(nearest_.size());
   std::ptrdiff_t stride = 1; // from cell to cell along the axis
   for (int axis = 0; axis < 3; ++axis) {
     throwIfStopped();
-    const std::ptrdiff_t block = stride * size_[axis];
-    for (std::ptrdiff_t begin = 0; begin < cells; begin += block) {
-      for (std::ptrdiff_t i = begin + stride; i < begin + block; ++i)
-        ask(i, i - stride);
-      for (std::ptrdiff_t i = begin + block - stride - 1; i >= begin; --i)
-        ask(i, i + stride);
-    }
-    stride = block;
+    // the cells with a coordinate ask those with the one before it, or behind it
+    const auto ask = [&](int coordinate, int other) {
+      Eigen::Array3i first = Eigen::Array3i::Zero(), last = size_.array() - 1;
+      first[axis] = last[axis] = coordinate;
+      const std::ptrdiff_t to_other = (other - coordinate) * stride;
+      for (int z = first.z(); z <= last.z(); ++z)
+        for (int y = first.y(); y <= last.y(); ++y) {
+          auto cell = static_cast<std::ptrdiff_t>(cellAt({first.x(), y, z}));
+          for (int x = first.x(); x <= last.x(); ++x, ++cell) {
+            const int point = nearest_[cell + to_other];
+            if (point >= 0 && point != nearest_[cell])
+              offer(points, cell, {centers_[0][x], centers_[1][y], centers_[2][z]},
+                    point);
+          }
+        }
+    };
+    for (int i = 1; i < size_[axis]; ++i)
+      ask(i, i - 1);
+    for (int i = size_[axis] - 2; i >= 0; --i)
+      ask(i, i + 1);
+    stride *= size_[axis];
   }
 }
 

@@ -7,6 +7,7 @@
 #include <pcl/registration/kss/detail/grid_index.h>
 #include <pcl/registration/kss/detail/points.h>
 
+#include <array>
 #include <vector>
 
 namespace pcl {
@@ -32,10 +33,7 @@ public:
   std::size_t
   cellOf(const Eigen::Vector3f& position) const
   {
-    const Eigen::Vector3f cell = (position - lower_) * inverse_edge_;
-    const Eigen::Array3i inside = toIndices(cell, size_.array() - 1);
-    return (static_cast<std::size_t>(inside.z()) * size_.y() + inside.y()) * size_.x() +
-           inside.x();
+    return cellAt(coordinatesOf(position));
   }
 
   /** \brief The point near to the centre of a cell. */
@@ -75,18 +73,36 @@ public:
   }
 
 private:
+  /** \brief Of the cell of a position. */
+  Eigen::Array3i
+  coordinatesOf(const Eigen::Vector3f& position) const
+  {
+    return toIndices(Eigen::Vector3f((position - lower_) * inverse_edge_),
+                     size_.array() - 1);
+  }
+
+  std::size_t
+  cellAt(const Eigen::Array3i& at) const
+  {
+    return (static_cast<std::size_t>(at.z()) * size_.y() + at.y()) * size_.x() + at.x();
+  }
+
   /** \brief Take a point for a cell's where it is nearer to its centre than the one
    * that the cell knows. */
   void
-  offer(const Points& points, float edge, std::size_t cell, int point);
+  offer(const Points& points,
+        std::size_t cell,
+        const Eigen::Vector3f& center,
+        int point);
 
   /** \brief Have every cell learn of its neighbours' points. */
   void
-  spread(const Points& points, float edge);
+  spread(const Points& points);
 
   Eigen::Vector3f lower_;
   float inverse_edge_;
   Eigen::Vector3i size_;
+  std::array<std::vector<float>, 3> centers_; ///< of cells, along each axis
   std::vector<int> nearest_;
   std::vector<float> distances_;
 };

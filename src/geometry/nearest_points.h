@@ -8,6 +8,7 @@
 
 #include "geometry/distance_field.h"
 #include "geometry/neighbourhoods.h"
+#include "support/wide_vectors.h"
 
 #include <limits>
 #include <vector>
@@ -52,8 +53,22 @@ public:
   int
   nearest(const Eigen::Vector3f& position, float& squared_distance) const
   {
-    float second;
-    return nearest(position, squared_distance, second);
+    int best = near(position, squared_distance);
+    for (;;) {
+      const Around& around = around_[best];
+      float squared[neighbours];
+      around.squaredDistances(position, squared);
+      unsigned int closer = whichBelow(squared, squared_distance);
+      if (closer == 0)
+        return best;
+      for (; closer != 0; closer &= closer - 1) {
+        const int n = __builtin_ctz(closer);
+        if (squared[n] < squared_distance) {
+          squared_distance = squared[n];
+          best = around.indices[n];
+        }
+      }
+    }
   }
 
   /** \brief The point nearest to a position, and how near the second nearest is.
@@ -74,12 +89,7 @@ public:
       from = best;
       const Around& around = around_[from];
       float squared[neighbours];
-      for (int n = 0; n < neighbours; ++n) {
-        const float x = around.x[n] - position.x();
-        const float y = around.y[n] - position.y();
-        const float z = around.z[n] - position.z();
-        squared[n] = x * x + y * y + z * z;
-      }
+      around.squaredDistances(position, squared);
       for (int n = 0; n < neighbours; ++n)
         if (squared[n] < squared_distance) {
           second_squared_distance = squared_distance;
@@ -114,6 +124,15 @@ private:
   struct Around {
     float x[neighbours], y[neighbours], z[neighbours];
     int indices[neighbours];
+
+    void
+    squaredDistances(const Eigen::Vector3f& position, float* squared) const
+    {
+      const float px = position.x(), py = position.y(), pz = position.z();
+      for (int n = 0; n < neighbours; ++n)
+        squared[n] = (x[n] - px) * (x[n] - px) + (y[n] - py) * (y[n] - py) +
+                     (z[n] - pz) * (z[n] - pz);
+    }
   };
 
   Points points_;

@@ -35,16 +35,34 @@ struct Surface {
 Neighbourhoods
 neighbourhoodsOf(const Points& points, int neighbours, unsigned int threads);
 
-/** \brief The neighbourhoods of some of the points, as far as they are known.
- * \param[in] neighbourhoods of a cloud
+/** \brief The neighbourhoods of those points of a cloud that are kept: of those whose
+ * neighbours all are, they are the same.
+ * \param[in] before neighbourhoods of the cloud
  * \param[in] kept indices of points, rising
- * \param[in] neighbours how many of each point to keep
- * \return none where a point keeps fewer of its neighbours
+ * \param[in] points those that are kept
+ * \param[in] threads 0: as many as there are cores
  */
-std::optional<Neighbourhoods>
-restrictedTo(const Neighbourhoods& neighbourhoods,
-             const std::vector<int>& kept,
-             int neighbours);
+Neighbourhoods
+withoutOthers(const Neighbourhoods& before,
+              const std::vector<int>& kept,
+              const Points& points,
+              unsigned int threads);
+
+/** \brief Sum up the ways from a point to its neighbours, and their products.
+ * \param[in] points a cloud
+ * \param[in] point one of them
+ * \param[in] neighbours of that, indices
+ * \param[in] k how many
+ * \param[out] sum
+ * \param[out] products a symmetric matrix
+ */
+void
+sumUp(const Points& points,
+      Eigen::Index point,
+      const int* neighbours,
+      Eigen::Index k,
+      Eigen::Vector3f& sum,
+      Eigen::Matrix3f& products);
 
 /** \brief The surface variation of every neighbourhood (M. Pauly, M. Gross, L. P.
  * Kobbelt, "Efficient Simplification of Point-Sampled Surfaces", 2002): the smallest

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace kss {
@@ -35,14 +36,9 @@ normalsOf(const Points& points,
   const Eigen::Index k = std::min(plane_neighbours, neighbourhoods.indices.rows());
   Points normals(3, points.cols());
   inParallel(points.cols(), threads, 500, [&](Eigen::Index i) {
-    const Eigen::Vector3f point = points.col(i);
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    Eigen::Matrix3f scatter = Eigen::Matrix3f::Zero();
-    for (Eigen::Index n = 0; n < k; ++n) {
-      const Eigen::Vector3f to = points.col(neighbourhoods.indices(n, i)) - point;
-      sum += to;
-      scatter += to * to.transpose();
-    }
+    Eigen::Vector3f sum;
+    Eigen::Matrix3f scatter;
+    sumUp(points, i, &neighbourhoods.indices(0, i), k, sum, scatter);
     scatter -= sum * sum.transpose() / static_cast<float>(k + 1); // the point included
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
     solver.computeDirect(scatter);
@@ -64,15 +60,21 @@ measureTrust(const Points& points,
   if (k < near_neighbours)
     return;
   inParallel(points.cols(), threads, 500, [&](Eigen::Index i) {
-    float off[plane_neighbours], cosine[near_neighbours];
-    const Eigen::Vector3f normal = planes.normals.col(i);
+    // the three smallest, in order
+    float off[near_neighbours], cosine[near_neighbours];
+    std::fill_n(off, near_neighbours, std::numeric_limits<float>::infinity());
+    const Eigen::Vector3f normal = planes.normals.col(i), point = points.col(i);
     for (Eigen::Index n = 0; n < k; ++n) {
       const int other = neighbourhoods.indices(n, i);
-      off[n] = std::abs(normal.dot(points.col(other) - points.col(i)));
+      float larger = std::abs(normal.dot(points.col(other) - point));
+      for (float& smaller : off) {
+        const float smallest = std::min(smaller, larger);
+        larger = std::max(smaller, larger);
+        smaller = smallest;
+      }
       if (n < near_neighbours)
         cosine[n] = std::abs(normal.dot(planes.normals.col(other)));
     }
-    std::nth_element(off, off + near_neighbours - 1, off + k);
     planes.deviations[i] = off[near_neighbours - 1] / near_neighbour_off;
     std::nth_element(cosine, cosine + near_neighbours / 2, cosine + near_neighbours);
     planes.agreements[i] = cosine[near_neighbours / 2];

@@ -14,9 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
+#include <cstring>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 namespace pcl {
@@ -53,16 +53,19 @@ notStray(const Points& cloud, const Neighbourhoods& found, unsigned int threads)
   const float usual = median(room);
 
   std::vector<int> kept;
-  std::vector<float> rooms(flat_neighbours);
   for (int i = 0; i < cloud.cols(); ++i) {
+    // isolated: more room than so many times the median around it has
+    int roomier = 0, some_have_room = 0;
     float flatness = variation[i];
     for (int n = 0; n < flat_neighbours; ++n) {
-      rooms[n] = room[found.indices(n, i)];
-      flatness += variation[found.indices(n, i)];
+      const int other = found.indices(n, i);
+      roomier += room[i] > isolated * room[other];
+      some_have_room += room[other] > 0.0f;
+      flatness += variation[other];
     }
     flatness /= 1 + flat_neighbours;
-    const float around = median(rooms);
-    const bool is_isolated = around > 0.0f && room[i] > isolated * around;
+    constexpr int half = flat_neighbours / 2;
+    const bool is_isolated = roomier > half && some_have_room >= flat_neighbours - half;
     if (!is_isolated && (room[i] <= sparse * usual || flatness < fills_space))
       kept.push_back(i);
   }
@@ -116,22 +119,44 @@ quarterOf(const Points& cloud)
   return cloud(Eigen::all, Eigen::seqN(0, cloud.cols() / 4, 4));
 }
 
+/** A hash of three coordinates; -0 is 0. */
+std::size_t
+hashOf(const float* point)
+{
+  std::uint64_t hash = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float coordinate = point[axis] + 0.0f;
+    std::uint32_t bits;
+    std::memcpy(&bits, &coordinate, sizeof bits);
+    hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+
 } // namespace
 
 Points
 withoutCopies(const Points& cloud)
 {
-  std::vector<int> order(cloud.cols());
-  std::iota(order.begin(), order.end(), 0);
-  const auto before = [&](int a, int b) {
-    return std::make_tuple(cloud(0, a), cloud(1, a), cloud(2, a), a) <
-           std::make_tuple(cloud(0, b), cloud(1, b), cloud(2, b), b);
-  };
-  std::sort(order.begin(), order.end(), before);
-  const auto copied = [&](int a, int b) { return cloud.col(a) == cloud.col(b); };
-  order.erase(std::unique(order.begin(), order.end(), copied), order.end());
-  std::sort(order.begin(), order.end());
-  return take(cloud, order);
+  // open addressing; each place is that of the first point that has come to it
+  std::size_t size = 64;
+  while (size < 2 * static_cast<std::size_t>(cloud.cols()))
+    size *= 2;
+  std::vector<int> first(size, -1);
+  std::vector<int> kept;
+  kept.reserve(cloud.cols());
+  for (int i = 0; i < cloud.cols(); ++i) {
+    std::size_t slot = hashOf(cloud.data() + 3 * i) & (size - 1);
+    while (first[slot] >= 0 && cloud.col(first[slot]) != cloud.col(i))
+      slot = (slot + 1) & (size - 1);
+    if (first[slot] >= 0)
+      continue;
+    first[slot] = i;
+    kept.push_back(i);
+  }
+  return static_cast<Eigen::Index>(kept.size()) == cloud.cols() ? cloud
+                                                                : take(cloud, kept);
 }
 
 Surface
@@ -146,12 +171,9 @@ withoutStrayPoints(const Points& cloud, unsigned int threads)
     const bool few = kept.size() > 0.998 * rest.points.cols();
     if (kept.size() <= std::max<double>(small, 0.3 * cloud.cols()))
       return {cloud, neighbourhoodsOf(cloud, flat_neighbours, threads)};
-    auto known =
-        few ? restrictedTo(rest.neighbourhoods, kept, known_neighbours) : std::nullopt;
     rest.points = take(rest.points, kept);
-    rest.neighbourhoods = known
-                              ? std::move(*known)
-                              : neighbourhoodsOf(rest.points, flat_neighbours, threads);
+    rest.neighbourhoods =
+        withoutOthers(rest.neighbourhoods, kept, rest.points, threads);
     if (few)
       break;
   }

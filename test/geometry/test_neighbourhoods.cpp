@@ -145,28 +145,36 @@ TEST(Neighbourhoods, AreThoseOfBruteForceWhereAStrayPointMakesCoordinatesCoarse)
   expectNearest(points, 12);
 }
 
-TEST(Neighbourhoods, CanBeRestrictedToSomePoints)
+TEST(Neighbourhoods, AreThoseOfTheRestWithoutOthers)
 {
   const Points points = sampled(creature(), 800, 40);
   const Neighbourhoods all = neighbourhoodsOf(points, 16, 1);
-  std::vector<int> most, half;
-  for (int i = 0; i < points.cols(); ++i) {
-    if (i % 50 != 7)
-      most.push_back(i);
-    if (i % 2 == 0)
-      half.push_back(i);
+  for (const int every : {800, 50, 2}) {
+    std::vector<int> kept;
+    for (int i = 0; i < points.cols(); ++i)
+      if (i % every != 1)
+        kept.push_back(i);
+    Points rest(3, kept.size());
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      rest.col(i) = points.col(kept[i]);
+    const Neighbourhoods found = withoutOthers(all, kept, rest, 1);
+    const Neighbourhoods expected = neighbourhoodsOf(rest, 16, 1);
+    EXPECT_EQ(expected.indices, found.indices) << every;
+    EXPECT_EQ(expected.distances, found.distances) << every;
   }
-  const auto restricted = restrictedTo(all, most, 12);
-  ASSERT_TRUE(restricted.has_value());
-  Points rest(3, most.size());
-  for (std::size_t i = 0; i < most.size(); ++i)
-    rest.col(i) = points.col(most[i]);
-  const Neighbourhoods expected = neighbourhoodsOf(rest, 12, 1);
-  EXPECT_EQ(expected.indices, restricted->indices);
-  EXPECT_EQ(expected.distances, restricted->distances);
-  // where too many are gone, they are not known
-  EXPECT_FALSE(restrictedTo(all, half, 12).has_value());
-  EXPECT_TRUE(restrictedTo(all, {}, 12).has_value());
+}
+
+TEST(Neighbourhoods, AreThoseOfFewerPointsWithoutOthers)
+{
+  const Points points = sampled(creature(), 30, 41);
+  const Neighbourhoods all = neighbourhoodsOf(points, 16, 1);
+  const std::vector<int> kept = {0, 3, 7, 12, 29};
+  Points rest(3, kept.size());
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    rest.col(i) = points.col(kept[i]);
+  const Neighbourhoods found = withoutOthers(all, kept, rest, 1);
+  EXPECT_EQ(4, found.indices.rows());
+  EXPECT_EQ(neighbourhoodsOf(rest, 16, 1).indices, found.indices);
 }
 
 TEST(Neighbourhoods, DoNotDependOnThreads)
