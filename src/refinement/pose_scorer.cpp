@@ -18,6 +18,9 @@ namespace pcl {
 namespace kss {
 namespace {
 
+/** Points of each cloud that tell how much the clouds overlap. */
+constexpr Eigen::Index most_tellers = 4000;
+
 /** A transformation between the clouds as a pose between their pre-shapes. */
 Similarity
 poseOf(const Eigen::Matrix4d& transformation, const ShapePair& shapes)
@@ -65,7 +68,8 @@ PoseScorer::scored(const Eigen::Matrix4d& transformation) const
                     scaleOf(transformation)))
     return {transformation, {}, {}};
   const Similarity pose = poseOf(transformation, *shapes_);
-  return {transformation, overlapAt(*shapes_->source.all, *shapes_->target.all, pose),
+  return {transformation,
+          overlapAt(*shapes_->source.all, *shapes_->target.all, pose, most_tellers),
           evidenceAt(shapes_->source.surface, shapes_->target.surface, pose,
                      shapes_->scales.smallest < shapes_->scales.largest)};
 }

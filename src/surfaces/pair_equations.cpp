@@ -146,21 +146,17 @@ normalEquationsAt(const PairEquations& equations,
                                   : medianOf(absolute) / gaussian_median,
                rounding_error);
   const double width = std::max(biweight_width * spread, 1e-300);
+  const Eigen::ArrayXd ratios = residuals.array() / width;
+  const Eigen::ArrayXd roots = (1.0 - ratios.square()).max(0.0);
+  const Eigen::VectorXd weights = roots.square();
   NormalEquations normal;
-  normal.pulls.resize(residuals.size());
-  double squares = 0.0;
-  for (Eigen::Index i = 0; i < residuals.size(); ++i) {
-    const double ratio = residuals[i] / width;
-    const double root = std::max(0.0, 1.0 - ratio * ratio);
-    const double weight = root * root;
-    const Change column = equations.columns.col(i);
-    normal.matrix.noalias() += weight * column * column.transpose();
-    normal.pulls[i] = weight * residuals[i];
-    normal.gradient -= normal.pulls[i] * column;
-    normal.weights += weight;
-    normal.slopes += root * (1.0 - 5.0 * ratio * ratio);
-    squares += normal.pulls[i] * residuals[i];
-  }
+  normal.matrix =
+      equations.columns * weights.asDiagonal() * equations.columns.transpose();
+  normal.pulls = weights.cwiseProduct(residuals);
+  normal.gradient = -(equations.columns * normal.pulls);
+  normal.weights = weights.sum();
+  normal.slopes = (roots * (1.0 - 5.0 * ratios.square())).sum();
+  const double squares = normal.pulls.dot(residuals);
   normal.variance = std::max(squares / std::max(normal.weights - 7.0, 1.0),
                              rounding_error * rounding_error);
   return normal;

@@ -301,8 +301,8 @@ public:
   }
 
   /** \brief Set how long align() may take. It then ends with the best pose so far, not
-   * converged, within some two tenths of a second; only the tree that PCL builds of a
-   * new target is not interrupted (0.4 s for a million points).
+   * converged, within some two tenths of a second; only what a rejector or an
+   * estimation of the user's own does meanwhile is not interrupted.
    * \param[in] seconds of wall time; 0: as long as it takes
    */
   void
@@ -575,43 +575,51 @@ private:
   kss::Alignment&
   alignmentForSettings();
 
+  /** \brief The points of the source that take part in the final ICP, from few, with
+   * which most of the way is made, to all.
+   */
+  using SourceSteps = std::vector<PointCloudSourceConstPtr>;
+
   /** \brief Run the final ICP from the guess and from all contenders that may be right,
    * and put the one that the surfaces speak for most first.
    * \param[in] source the points that take part
    * \return why the work came to no end; empty if it did
    */
   std::string
-  settle(const PointCloudSourceConstPtr& source,
+  settle(const SourceSteps& source,
          const kss::PoseScorer& scorer,
          const std::optional<Eigen::Matrix4d>& guess,
          std::vector<Contender>& contenders);
 
   /** \brief IterativeClosestPoint on the clouds themselves: T of (e11). It alone
    * borrows the members of the base class.
-   * \param[in] source the points that take part
+   * \param[in] source the points that take part, from few to all
    * \param[in] contender where to start
    * \param[in] estimate_scale whether the scale may change where it is estimated
+   * \param[in] rival the logarithm of the odds of what the result competes with: where
+   * few points leave it far behind, that is all of its run
    * \param[in] has_skins whether half of the source may have its nearest points on
    * another skin of the target
    */
   Contender
-  finalICP(const PointCloudSourceConstPtr& source,
+  finalICP(const SourceSteps& source,
            const kss::PoseScorer& scorer,
            const Alternative& contender,
            bool estimate_scale,
+           double rival,
            bool has_skins = false);
 
   /** \brief The contender on a skin beside it, or between which it has come to rest,
    * where that explains more. */
   Contender
-  onSkinBeside(const PointCloudSourceConstPtr& source,
+  onSkinBeside(const SourceSteps& source,
                const kss::PoseScorer& scorer,
                const Contender& contender);
 
   /** \brief The contender at scale 1 where that explains the clouds as well: metric
    * data must not lose accuracy to a scale that is free. */
   Contender
-  atScaleOne(const PointCloudSourceConstPtr& source,
+  atScaleOne(const SourceSteps& source,
              const kss::PoseScorer& scorer,
              const Contender& contender);
 
@@ -665,6 +673,7 @@ private:
   kss::Stages stages_;
   kss::StopSignal stop_;
   bool source_is_output_ = false;
+  int final_runs_ = 0;          ///< of ICP, in the stage that goes on
   double rounding_error_ = 0.0; ///< of a distance between points
   Eigen::Vector3d source_centroid_ = Eigen::Vector3d::Zero();
   kss::SurfacePrecision precision_;

@@ -8,6 +8,7 @@
 #include <pcl/registration/kss/detail/cloud_conversion.h>
 #include <pcl/registration/kss/detail/final_icp.h>
 #include <pcl/registration/kss/detail/naming.h>
+#include <pcl/registration/kss/detail/packed_search.h>
 #include <pcl/registration/kss/detail/similarity.h>
 #include <pcl/registration/kss/detail/surface_estimation.h>
 #include <pcl/registration/kss/detail/tracked_correspondences.h>
@@ -32,6 +33,7 @@ KSSICP<PointSource, PointTarget, Scalar>::KSSICP()
   convergence_criteria_->setFailureAfterMaximumIterations(true);
   correspondence_estimation_.reset(
       new kss::TrackedCorrespondences<PointSource, PointTarget, Scalar>);
+  this->tree_.reset(new kss::PackedSearch<PointTarget>);
   this->transformation_estimation_.reset(
       new kss::SurfaceEstimation<PointSource, PointTarget, Scalar>);
 }
@@ -183,6 +185,7 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
 
   // ICP on the clouds themselves
   stages_.begin("final ICP");
+  final_runs_ = 0;
   source_centroid_ = kss::centroidOf(*input_, source_points.indices);
   const double rounding_error = kss::roundingError(*target_, target_points.indices);
   rounding_error_ = std::sqrt(rounding_error);
@@ -205,8 +208,12 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
         surfaces->finish();
     }
   } finish{*this};
-  const std::string stopped =
-      settle(kss::pointsAt(*input_, used), aligned.scorer, guessed, contenders);
+  SourceSteps steps;
+  if (used.size() > 2 * kss::points_of_first_steps)
+    steps.push_back(
+        kss::pointsAt(*input_, kss::spread(used, kss::points_of_first_steps)));
+  steps.push_back(kss::pointsAt(*input_, used));
+  const std::string stopped = settle(steps, aligned.scorer, guessed, contenders);
   accept(contenders.front(), used);
   list(contenders, aligned.scorer);
   stages_.end();

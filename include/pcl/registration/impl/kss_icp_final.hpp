@@ -22,7 +22,7 @@ namespace pcl {
 template <typename PointSource, typename PointTarget, typename Scalar>
 std::string
 KSSICP<PointSource, PointTarget, Scalar>::settle(
-    const PointCloudSourceConstPtr& source,
+    const SourceSteps& source,
     const kss::PoseScorer& scorer,
     const std::optional<Eigen::Matrix4d>& guess,
     std::vector<Contender>& contenders)
@@ -40,7 +40,7 @@ try {
     if (runs > 0 && !may_be_right && !is_doubtful && !is_likelier)
       break;
     const bool is_guess = contender.is_guess;
-    contender = finalICP(source, scorer, contender.alternative, !is_guess);
+    contender = finalICP(source, scorer, contender.alternative, !is_guess, best);
     contender.is_guess = is_guess;
     ++runs;
     best = std::max(best, kss::logOddsOf(contender.alternative));
@@ -91,26 +91,25 @@ KSSICP<PointSource, PointTarget, Scalar>::preferNearest(
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 typename KSSICP<PointSource, PointTarget, Scalar>::Contender
-KSSICP<PointSource, PointTarget, Scalar>::onSkinBeside(
-    const PointCloudSourceConstPtr& source,
-    const kss::PoseScorer& scorer,
-    const Contender& contender)
+KSSICP<PointSource, PointTarget, Scalar>::onSkinBeside(const SourceSteps& source,
+                                                       const kss::PoseScorer& scorer,
+                                                       const Contender& contender)
 {
   const auto beside = scorer.skinBeside(contender.alternative.transformation);
   if (!beside)
     return contender;
   Contender settled =
-      finalICP(source, scorer, scorer.scored(*beside), !contender.is_guess, true);
+      finalICP({source.back()}, scorer, scorer.scored(*beside), !contender.is_guess,
+               kss::logOddsOf(contender.alternative), true);
   settled.is_guess = contender.is_guess;
   return isMoreLikely(settled, contender) ? settled : contender;
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 typename KSSICP<PointSource, PointTarget, Scalar>::Contender
-KSSICP<PointSource, PointTarget, Scalar>::atScaleOne(
-    const PointCloudSourceConstPtr& source,
-    const kss::PoseScorer& scorer,
-    const Contender& contender)
+KSSICP<PointSource, PointTarget, Scalar>::atScaleOne(const SourceSteps& source,
+                                                     const kss::PoseScorer& scorer,
+                                                     const Contender& contender)
 {
   const Eigen::Matrix4d& pose = contender.alternative.transformation;
   const double scale = kss::scaleOf(pose);
@@ -122,10 +121,11 @@ KSSICP<PointSource, PointTarget, Scalar>::atScaleOne(
   Eigen::Matrix4d metric = pose;
   metric.topLeftCorner<3, 3>() /= scale;
   Eigen::Vector4d center;
-  compute3DCentroid(*source, center);
+  compute3DCentroid(*source.back(), center);
   metric.topRightCorner<3, 1>() +=
       (pose - metric).topLeftCorner<3, 3>() * center.head<3>();
-  const Contender settled = finalICP(source, scorer, scorer.scored(metric), false);
+  const Contender settled = finalICP({source.back()}, scorer, scorer.scored(metric),
+                                     false, kss::logOddsOf(contender.alternative));
   // what is as good only where the scale found is 1 as far as it is known
   const bool is_one = std::log(scale) * std::log(scale) <=
                       9.0 * contender.run->precision.covariance(6, 6);
@@ -138,12 +138,12 @@ KSSICP<PointSource, PointTarget, Scalar>::atScaleOne(
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 typename KSSICP<PointSource, PointTarget, Scalar>::Contender
-KSSICP<PointSource, PointTarget, Scalar>::finalICP(
-    const PointCloudSourceConstPtr& source,
-    const kss::PoseScorer& scorer,
-    const Alternative& contender,
-    bool estimate_scale,
-    bool has_skins)
+KSSICP<PointSource, PointTarget, Scalar>::finalICP(const SourceSteps& source,
+                                                   const kss::PoseScorer& scorer,
+                                                   const Alternative& contender,
+                                                   bool estimate_scale,
+                                                   double rival,
+                                                   bool has_skins)
 {
   const Eigen::Matrix4d& pose = contender.transformation;
 
@@ -152,13 +152,14 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(
     KSSICP& icp;
     PointCloudSourceConstPtr input;
     double reach;
+    int iterations;
     ~Restore()
     {
       icp.input_ = input;
       icp.corr_dist_threshold_ = reach;
+      icp.max_iterations_ = iterations;
     }
-  } restore{*this, input_, corr_dist_threshold_};
-  input_ = source;
+  } restore{*this, input_, corr_dist_threshold_, this->max_iterations_};
   // a point farther away than a few spacings has no counterpart
   if (settings_.mode != kss::Mode::GLOBAL_GLOBAL)
     corr_dist_threshold_ =
@@ -166,33 +167,57 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(
   auto* const surfaces =
       dynamic_cast<kss::SurfaceEstimation<PointSource, PointTarget, Scalar>*>(
           this->transformation_estimation_.get());
-  if (surfaces) {
-    kss::SurfaceStepSettings steps;
-    // one value: it is known, and the pose has it
-    const bool is_known = settings_.smallest_scale >= settings_.largest_scale;
-    if (estimate_scale && settings_.estimate_scale && !is_known) {
-      steps.smallest_scale = settings_.smallest_scale;
-      steps.largest_scale = settings_.largest_scale;
-    }
-    steps.rounding_error = rounding_error_;
-    steps.has_skins = has_skins;
-    steps.source_normal_error = scorer.sourceNormalError();
-    steps.target_normal_error = scorer.targetNormalError();
-    surfaces->start(scorer, *source, target_->size(), pose, steps);
+  kss::SurfaceStepSettings steps;
+  // one value: it is known, and the pose has it
+  const bool is_known = settings_.smallest_scale >= settings_.largest_scale;
+  if (estimate_scale && settings_.estimate_scale && !is_known) {
+    steps.smallest_scale = settings_.smallest_scale;
+    steps.largest_scale = settings_.largest_scale;
   }
+  steps.rounding_error = rounding_error_;
+  steps.has_skins = has_skins;
+  steps.source_normal_error = scorer.sourceNormalError();
+  steps.target_normal_error = scorer.targetNormalError();
   auto* const criteria =
       dynamic_cast<kss::FinalICPCriteria<Scalar>*>(convergence_criteria_.get());
-  if (criteria)
+  if (criteria) {
     criteria->follow(surfaces ? &surfaces->last() : nullptr);
-  PointCloudSource unused;
+    // how many runs, and steps, there will be shows in the end
+    criteria->tell([this](int steps) {
+      const double done = final_runs_ + steps / (steps + kss::usual_steps);
+      stages_.progress(done / (done + 1.0));
+    });
+  }
   bool is_pose = true;
-  try {
-    Base::computeTransformation(unused, pose.cast<Scalar>());
-    is_pose = kss::isSimilarity(final_transformation_.template cast<double>());
+  Eigen::Matrix4d from = pose;
+  for (const PointCloudSourceConstPtr& points : source) {
+    const bool are_few = points != source.back();
+    input_ = points;
+    this->max_iterations_ = are_few
+                                ? std::min(restore.iterations, kss::most_first_steps)
+                                : restore.iterations;
+    if (surfaces)
+      surfaces->start(scorer, points, target_->size(), from, steps);
+    PointCloudSource unused;
+    try {
+      Base::computeTransformation(unused, from.cast<Scalar>());
+      is_pose = kss::isSimilarity(final_transformation_.template cast<double>());
+    }
+    catch (const kss::NoPose&) {
+      is_pose = false;
+    }
+    if (!is_pose)
+      break;
+    from = final_transformation_.template cast<double>();
+    if (!are_few)
+      break;
+    const Alternative so_far = scorer.scored(from);
+    if (kss::logOddsOf(so_far) < rival - kss::no_rival) {
+      ++final_runs_;
+      return {so_far, {}};
+    }
   }
-  catch (const kss::NoPose&) {
-    is_pose = false;
-  }
+  ++final_runs_;
   if (!is_pose)
     transformation_ = previous_transformation_ = Matrix4::Identity();
   Run run{final_transformation_,
@@ -238,7 +263,9 @@ KSSICP<PointSource, PointTarget, Scalar>::accept(const Contender& contender,
     return;
   }
   const Run& run = *contender.run;
-  if (run.correspondences.size() < this->min_number_correspondences_)
+  // later on, an estimation that is none can have led away from all
+  if (run.iterations == 0 &&
+      run.correspondences.size() < this->min_number_correspondences_)
     throw kss::RegistrationError(
         kss::FailureCause::UNSETTLED,
         "The final ICP found too few correspondences; allow longer ones, or reject "

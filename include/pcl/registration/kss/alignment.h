@@ -98,8 +98,8 @@ struct Aligned {
  */
 class PCL_KSS_ICP_EXPORT Alignment {
 public:
-  /** \param[in] settings copied
-   * \throws DeviceError where the device asked for cannot be had
+  /** \brief Devices come up beside what follows, unless there is to be one thread.
+   * \param[in] settings copied
    */
   explicit Alignment(const Settings& settings);
 
@@ -114,6 +114,7 @@ public:
    * \return as far as they have come where the work has been stopped
    * \throws std::invalid_argument where a cloud does not determine a pose, or the two
    * do not at the guessed scale
+   * \throws DeviceError where the device asked for cannot be had
    * \throws Stopped before any pose has been found
    */
   Aligned

@@ -8,6 +8,10 @@
 #include <pcl/registration/kss/detail/stopping.h>
 #include <pcl/registration/kss/detail/surface_step.h>
 
+#include <cstddef>
+#include <functional>
+#include <limits>
+
 namespace pcl {
 namespace kss {
 
@@ -29,6 +33,21 @@ constexpr double nearly_scale_one = 0.12;
 
 /** \brief Correspondences of the final ICP are no longer than so many spacings. */
 constexpr double final_icp_reach = 4.0;
+
+/** \brief With so many points of the source most of the way is made: what is left is
+ * their standard error. */
+constexpr std::size_t points_of_first_steps = 2000;
+
+/** \brief So many steps with few points: a right pose takes a dozen, a wrong one, with
+ * nothing to settle on, hundreds. */
+constexpr int most_first_steps = 40;
+
+/** \brief Odds of a hundred to one, as logarithm, between two poses: what the worse one
+ * may still gain changes the confidence in the better one by a hundredth at most. */
+constexpr double no_rival = 4.6;
+
+/** \brief Steps of a run, about: what progress goes by. */
+constexpr double usual_steps = 10.0;
 
 /** \brief Poses whose scores are that near, as a ratio, may be equal: of two samplings
  * of a symmetric shape. */
@@ -77,9 +96,20 @@ public:
     step_ = step;
   }
 
+  /** \brief Tell somebody of every step.
+   * \param[in] told of the number of steps of the run so far; may be empty
+   */
+  void
+  tell(const std::function<void(int)>& told)
+  {
+    told_ = told;
+  }
+
   bool
   hasConverged() override
   {
+    if (told_)
+      told_(this->iterations_);
     throwIfStopped();
     if (this->iterations_ <= 1)
       this->correspondences_prev_mse_ = std::numeric_limits<double>::max();
@@ -102,6 +132,7 @@ public:
 private:
   double rounding_error_ = 0.0;
   const SurfaceStep* step_ = nullptr;
+  std::function<void(int)> told_;
 };
 
 } // namespace kss

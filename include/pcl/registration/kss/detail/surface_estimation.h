@@ -47,16 +47,17 @@ public:
    */
   void
   start(const PoseScorer& scorer,
-        const PointCloud<PointSource>& source,
+        const typename PointCloud<PointSource>::ConstPtr& source,
         std::size_t target_size,
         const Eigen::Matrix4d& pose,
         const SurfaceStepSettings& settings)
   {
     scorer_ = &scorer;
     settings_ = settings;
-    if (source_normals_.cols() == 0) {
-      Points normals(3, source.size());
-      scorer.sourceNormals(placesOf(source), normals);
+    if (source_ != source) {
+      source_ = source;
+      Points normals(3, source->size());
+      scorer.sourceNormals(placesOf(*source), normals);
       source_normals_ = normals.template cast<double>();
     }
     target_normals_.resize(3, target_size);
@@ -71,6 +72,7 @@ public:
   finish()
   {
     scorer_ = nullptr;
+    source_.reset();
     source_normals_.resize(3, 0);
     target_normals_.resize(3, 0);
     is_known_.clear();
@@ -189,6 +191,7 @@ private:
 
   const PoseScorer* scorer_ = nullptr;
   mutable SurfaceStepSettings settings_;
+  typename PointCloud<PointSource>::ConstPtr source_; ///< of the normals
   Eigen::Matrix3Xd source_normals_{3, 0};
   mutable Points target_normals_;
   mutable std::vector<bool> is_known_;

@@ -5,9 +5,12 @@
 #pragma once
 
 #include <pcl/registration/correspondence_estimation.h>
+#include <pcl/registration/kss/detail/packed_search.h>
 #include <pcl/registration/kss/detail/stopping.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace pcl {
@@ -49,15 +52,21 @@ public:
       found_.assign(this->indices_->size(), {});
       tracked_target_ = this->target_;
     }
+    const auto* const packed =
+        dynamic_cast<const PackedSearch<PointTarget>*>(this->tree_.get());
+    const PackedTree* const tree =
+        packed && packed->isOfSpace() ? &packed->packedTree() : nullptr;
     const double most = max_distance * max_distance;
+    limit_ =
+        static_cast<float>(std::min<double>(looked_beyond * max_distance, infinite));
     correspondences.clear();
     correspondences.reserve(found_.size());
     for (std::size_t i = 0; i < found_.size(); ++i) {
       if (i % 4096 == 0)
         throwIfStopped();
       const index_t query = (*this->indices_)[i];
-      const float squared = update(found_[i], (*this->input_)[query]);
-      if (squared <= most)
+      const float squared = update(found_[i], (*this->input_)[query], tree);
+      if (found_[i].nearest >= 0 && squared <= most)
         correspondences.emplace_back(query, found_[i].nearest, squared);
     }
     this->deinitCompute();
@@ -78,34 +87,73 @@ public:
   }
 
 private:
-  /** \brief The target point nearest to a place, and how far from it that stays so. */
+  static constexpr float infinite = std::numeric_limits<float>::infinity();
+
+  /** Points are looked for that much farther than correspondences reach: what finds
+   * none then needs not look again as soon as it moves. */
+  static constexpr double looked_beyond = 1.25;
+
+  /** \brief The target points nearest to a place, and how far from it that stays so. */
   struct Found {
-    index_t nearest = -1;
+    bool is_known = false;
+    index_t nearest = -1; ///< -1: none within the limit
+    index_t second = -1;
     Eigen::Vector3f place;
     float squared_slack = 0.0f;
+    float limit = 0.0f; ///< no point was looked for beyond
   };
 
-  /** \brief Find the nearest point; its squared distance. */
+  /** \brief Find the nearest point; its squared distance, infinite where there is none.
+   * \param[in] tree of the target; null: any search
+   */
   float
-  update(Found& found, const PointSource& point)
+  update(Found& found, const PointSource& point, const PackedTree* tree)
   {
     const Eigen::Vector3f place = point.getVector3fMap();
-    if (found.nearest >= 0 && (place - found.place).squaredNorm() < found.squared_slack)
-      return ((*this->target_)[found.nearest].getVector3fMap() - place).squaredNorm();
-    if (this->tree_->nearestKSearchT(point, 2, nearest_, squared_) < 1)
-      return std::numeric_limits<float>::infinity();
-    const float second =
-        nearest_.size() > 1 ? squared_[1] : std::numeric_limits<float>::max();
+    const auto squaredTo = [&](index_t target) {
+      return ((*this->target_)[target].getVector3fMap() - place).squaredNorm();
+    };
+    if (found.is_known && limit_ <= found.limit &&
+        (place - found.place).squaredNorm() < found.squared_slack)
+      return found.nearest < 0 ? infinite : squaredTo(found.nearest);
+    float squared_limit = limit_ * limit_;
+    if (found.second >= 0) // the two of before, rounding aside
+      squared_limit =
+          std::min(squared_limit, 1.0001f * std::max(squaredTo(found.nearest),
+                                                     squaredTo(found.second)));
+    const NearestTwo two =
+        tree ? tree->nearest(place.data(), squared_limit) : searched(point);
+    const float nearest = std::sqrt(two.squared);
+    const float second = std::min(std::sqrt(two.second_squared), limit_);
     // rounding aside
-    const float slack = 0.4999f * (std::sqrt(second) - std::sqrt(squared_[0]));
-    found = {nearest_[0], place, slack * slack};
-    return squared_[0];
+    const float slack = two.nearest >= 0
+                            ? 0.4999f * (second - nearest)
+                            : 0.999f * (1.0f - 1.0f / looked_beyond) * limit_;
+    found = {true, two.nearest, two.second, place, slack * std::abs(slack), limit_};
+    return two.squared;
+  }
+
+  NearestTwo
+  searched(const PointSource& point)
+  {
+    NearestTwo two;
+    const int number = this->tree_->nearestKSearchT(point, 2, nearest_, squared_);
+    if (number > 0) {
+      two.nearest = nearest_[0];
+      two.squared = squared_[0];
+    }
+    if (number > 1) {
+      two.second = nearest_[1];
+      two.second_squared = squared_[1];
+    }
+    return two;
   }
 
   std::vector<Found> found_;
   typename Base::PointCloudTargetConstPtr tracked_target_;
   Indices nearest_;
   std::vector<float> squared_;
+  float limit_ = infinite; ///< how far points are looked for
 };
 
 } // namespace kss
