@@ -12,6 +12,7 @@
 #include "preparation/shape_pair.h"
 #include "refinement/selection.h"
 #include "search/candidate_search.h"
+#include "support/beside.h"
 
 #include <algorithm>
 #include <string>
@@ -23,13 +24,13 @@ struct Alignment::Implementation {
   explicit Implementation(const Settings& asked)
   : settings(asked)
   , preparation(asked)
-  , search(asked)
+  , search(asked.threads, [asked] { return std::make_unique<CandidateSearch>(asked); })
   {
   }
 
   Settings settings;
   Preparation preparation;
-  CandidateSearch search;
+  Beside<CandidateSearch> search;
   std::shared_ptr<const ShapePair> shapes; ///< of the last call
 };
 
@@ -106,13 +107,16 @@ Alignment::align(const LocalCloud& source,
                  const std::optional<double>& guessed_scale,
                  Stages& stages)
 {
-  auto& [settings, preparation, search, shapes] = *implementation_;
+  auto& [settings, preparation, made_search, shapes] = *implementation_;
   const auto done = [&stages](double share) { stages.progress(share); };
 
   // clean, without heavy noise, and in the order that simplifies them
   stages.begin("preparation");
   const PreparedPair clouds = preparation.prepared(source, target, done);
   stages.end();
+
+  // a device that cannot be had ends it here
+  CandidateSearch& search = made_search.get();
 
   // k points of each (Sec. III-B), and K_s of (e2)
   stages.begin("simplification");
@@ -164,7 +168,7 @@ Alignment::settings() const
 std::string
 Alignment::deviceName() const
 {
-  return implementation_->search.deviceName();
+  return implementation_->search.get().deviceName();
 }
 
 } // namespace kss
