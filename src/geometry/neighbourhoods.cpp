@@ -11,6 +11,7 @@
 #include "support/wide_vectors.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,56 @@ struct Columns {
   }
 };
 
+/** Those of some points, but for the one that asks, that are no farther from it than
+ * asked for: their squared distances and places; how many there are. */
+PCL_KSS_WIDE int
+collect(const float* xs,
+        const float* ys,
+        const float* zs,
+        int size,
+        const float* position,
+        int own_place,
+        float squared_radius,
+        float* squared,
+        int* places)
+{
+  const float x = position[0], y = position[1], z = position[2];
+  const int own_block = own_place / lanes * lanes;
+  const float beyond =
+      std::nextafter(squared_radius, std::numeric_limits<float>::infinity());
+  int n = 0;
+  for (int begin = 0; begin < size; begin += lanes) {
+    float block[lanes];
+    for (int l = 0; l < lanes; ++l) {
+      const int i = begin + l;
+      block[l] = (xs[i] - x) * (xs[i] - x) + (ys[i] - y) * (ys[i] - y) +
+                 (zs[i] - z) * (zs[i] - z);
+    }
+    unsigned int near = whichBelow(block, beyond);
+    if (begin == own_block)
+      near &= ~(1u << own_place % lanes);
+    for (; near != 0; near &= near - 1) {
+      const int l = __builtin_ctz(near);
+      squared[n] = block[l];
+      places[n++] = begin + l;
+    }
+  }
+  return n;
+}
+
+/** For each of whole vectors of values, how many come before it in the sorted order. */
+PCL_KSS_WIDE void
+rank(const float* values, int filled, int* ranks)
+{
+  for (int i = 0; i < filled; ++i) {
+    const float value = values[i];
+    int before = 0;
+    for (int j = 0; j < filled; ++j) // equal ones: in the order in which they came
+      before += (values[j] < value) | ((values[j] == value) & (j < i));
+    ranks[i] = before;
+  }
+}
+
 /** What finds the neighbours of a point among those around it. */
 class Nearby {
 public:
@@ -51,7 +102,7 @@ public:
   void
   gather(const PackedPoints& points, std::size_t own, float distance)
   {
-    const Box box = points.boxOf(own);
+    const Eigen::AlignedBox3f box = points.boxOf(own);
     points.leavesWithin(box, distance, leaves_);
     const std::size_t room = leaves_.size() * leaf_size + lanes;
     if (room > around_.indices.size()) {
@@ -100,14 +151,14 @@ public:
 private:
   /** Those points of a leaf that lie within a distance of a box. */
   void
-  add(const Leaf& leaf, const Box& box, float distance)
+  add(const Leaf& leaf, const Eigen::AlignedBox3f& box, float distance)
   {
     const float squared_distance = distance * distance;
     for (int part = 0; part < leaf_size; part += lanes) {
       float squared[lanes];
       for (int l = 0; l < lanes; ++l) {
-        const float position[] = {leaf.x[part + l], leaf.y[part + l], leaf.z[part + l]};
-        squared[l] = box.squaredDistance(position);
+        squared[l] = box.squaredExteriorDistance(
+            Eigen::Vector3f(leaf.x[part + l], leaf.y[part + l], leaf.z[part + l]));
       }
       for (unsigned int near = whichBelow(squared, squared_distance); near != 0;
            near &= near - 1) {
@@ -130,24 +181,6 @@ private:
           std::numeric_limits<float>::infinity();
   }
 
-  /** Those of the points around, but for the one that asks, that are no farther than
-   * asked for: their squared distances and places; how many there are. */
-  static PCL_KSS_WIDE int
-  collect(const float* xs,
-          const float* ys,
-          const float* zs,
-          int size,
-          const float* position,
-          int own_place,
-          float squared_radius,
-          float* squared,
-          int* places);
-
-  /** For each of whole vectors of values, how many come before it in the sorted order.
-   */
-  static PCL_KSS_WIDE void
-  rank(const float* values, int filled, int* ranks);
-
   /** Rank the nearest of some points, so many of them; the others come after them. */
   void
   rankNearest(int n, int count);
@@ -158,53 +191,6 @@ private:
   std::vector<float> squared_;
   std::vector<int> places_, ranks_, nearest_;
 };
-
-int
-Nearby::collect(const float* xs,
-                const float* ys,
-                const float* zs,
-                int size,
-                const float* position,
-                int own_place,
-                float squared_radius,
-                float* squared,
-                int* places)
-{
-  const float x = position[0], y = position[1], z = position[2];
-  const int own_block = own_place / lanes * lanes;
-  const float beyond =
-      std::nextafter(squared_radius, std::numeric_limits<float>::infinity());
-  int n = 0;
-  for (int begin = 0; begin < size; begin += lanes) {
-    float block[lanes];
-    for (int l = 0; l < lanes; ++l) {
-      const int i = begin + l;
-      block[l] = (xs[i] - x) * (xs[i] - x) + (ys[i] - y) * (ys[i] - y) +
-                 (zs[i] - z) * (zs[i] - z);
-    }
-    unsigned int near = whichBelow(block, beyond);
-    if (begin == own_block)
-      near &= ~(1u << own_place % lanes);
-    for (; near != 0; near &= near - 1) {
-      const int l = __builtin_ctz(near);
-      squared[n] = block[l];
-      places[n++] = begin + l;
-    }
-  }
-  return n;
-}
-
-void
-Nearby::rank(const float* values, int filled, int* ranks)
-{
-  for (int i = 0; i < filled; ++i) {
-    const float value = values[i];
-    int before = 0;
-    for (int j = 0; j < filled; ++j) // equal ones: in the order in which they came
-      before += (values[j] < value) | ((values[j] == value) & (j < i));
-    ranks[i] = before;
-  }
-}
 
 void
 Nearby::rankNearest(int n, int count)
@@ -248,7 +234,7 @@ findNeighbours(const PackedPoints& packed,
     return Eigen::Vector3f(leaf.x[i], leaf.y[i], leaf.z[i]);
   };
   int before = -1;
-  float reach = std::max(first_reach * packed.boxOf(number).diagonal(), 1e-4f);
+  float reach = std::max(first_reach * packed.boxOf(number).diagonal().norm(), 1e-4f);
   while (!std::all_of(is_done, is_done + leaf_size, [](bool done) { return done; })) {
     nearby.gather(packed, number, reach);
     for (int i = 0; i < leaf_size; ++i) {

@@ -16,6 +16,8 @@ namespace pcl {
 namespace kss {
 namespace {
 
+using Box = Eigen::AlignedBox3f;
+
 constexpr int wide = PackedPoints::wide, leaf_size = PackedPoints::leaf_size;
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
@@ -49,36 +51,6 @@ struct Found : NearestTwo {
 
 } // namespace
 
-Box::Box()
-{
-  std::fill_n(lower, 3, infinite);
-  std::fill_n(upper, 3, -infinite);
-}
-
-void
-Box::add(const float* point)
-{
-  for (int axis = 0; axis < 3; ++axis) {
-    lower[axis] = std::min(lower[axis], point[axis]);
-    upper[axis] = std::max(upper[axis], point[axis]);
-  }
-}
-
-void
-Box::add(const Box& other)
-{
-  for (int axis = 0; axis < 3; ++axis) {
-    lower[axis] = std::min(lower[axis], other.lower[axis]);
-    upper[axis] = std::max(upper[axis], other.upper[axis]);
-  }
-}
-
-float
-Box::diagonal() const
-{
-  return std::hypot(upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]);
-}
-
 PackedPoints::PackedPoints(const float* first, std::size_t stride, std::size_t size)
 {
   const std::vector<index_t> order = alongSpace(first, stride, size);
@@ -94,13 +66,13 @@ PackedPoints::PackedPoints(const float* first, std::size_t stride, std::size_t s
     leaf.z[i % leaf_size] = point[2];
     leaf.indices[i % leaf_size] = exists ? order[i] : -1;
     if (exists)
-      boxes[i / leaf_size].add(point);
+      boxes[i / leaf_size].extend(Eigen::Vector3f(point));
   }
   while (boxes.size() > 1 || (levels_.empty() && !boxes.empty())) {
     levels_.push_back(nodesOver(boxes));
     std::vector<Box> over(levels_.back().size());
     for (std::size_t i = 0; i < boxes.size(); ++i)
-      over[i / wide].add(boxes[i]);
+      over[i / wide].extend(boxes[i]);
     boxes.swap(over);
   }
 }
@@ -113,8 +85,8 @@ PackedPoints::nodesOver(const std::vector<Box>& boxes)
     for (int axis = 0; axis < 3; ++axis) {
       Node& node = nodes[i / wide];
       const bool exists = i < boxes.size();
-      node.lower[axis][i % wide] = exists ? boxes[i].lower[axis] : infinite;
-      node.upper[axis][i % wide] = exists ? boxes[i].upper[axis] : infinite;
+      node.lower[axis][i % wide] = exists ? boxes[i].min()[axis] : infinite;
+      node.upper[axis][i % wide] = exists ? boxes[i].max()[axis] : infinite;
     }
   return nodes;
 }
@@ -125,8 +97,8 @@ PackedPoints::boxOf(std::size_t leaf) const
   const Node& node = levels_.front()[leaf / wide];
   Box box;
   for (int axis = 0; axis < 3; ++axis) {
-    box.lower[axis] = node.lower[axis][leaf % wide];
-    box.upper[axis] = node.upper[axis][leaf % wide];
+    box.min()[axis] = node.lower[axis][leaf % wide];
+    box.max()[axis] = node.upper[axis][leaf % wide];
   }
   return box;
 }
@@ -215,8 +187,8 @@ PackedPoints::leavesWithin(const Box& box,
     float squared[wide] = {};
     for (int axis = 0; axis < 3; ++axis)
       for (int i = 0; i < wide; ++i) {
-        const float gap = larger(larger(node.lower[axis][i] - box.upper[axis],
-                                        box.lower[axis] - node.upper[axis][i]),
+        const float gap = larger(larger(node.lower[axis][i] - box.max()[axis],
+                                        box.min()[axis] - node.upper[axis][i]),
                                  0.0f);
         squared[i] += gap * gap;
       }

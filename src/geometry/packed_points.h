@@ -8,41 +8,13 @@
 
 #include "support/wide_vectors.h"
 
-#include <algorithm>
+#include <Eigen/Geometry>
+
 #include <cstddef>
 #include <vector>
 
 namespace pcl {
 namespace kss {
-
-/** \brief A box along the axes; empty until something is added. */
-struct Box {
-  float lower[3], upper[3];
-
-  Box();
-
-  void
-  add(const float* point);
-
-  void
-  add(const Box& other);
-
-  float
-  diagonal() const;
-
-  /** \brief How far a position lies outside, squared. */
-  float
-  squaredDistance(const float* position) const
-  {
-    float squared = 0.0f;
-    for (int axis = 0; axis < 3; ++axis) {
-      const float outside =
-          std::max({lower[axis] - position[axis], position[axis] - upper[axis], 0.0f});
-      squared += outside * outside;
-    }
-    return squared;
-  }
-};
 
 /** \brief The points of a cloud in leaves, the boxes around these in nodes, and so on
  * up to one node: see PackedTree.
@@ -70,7 +42,7 @@ public:
   }
 
   /** \brief The box around a leaf's points. */
-  Box
+  Eigen::AlignedBox3f
   boxOf(std::size_t leaf) const;
 
   /** \brief The two points nearest to a position; see PackedTree. */
@@ -83,7 +55,9 @@ public:
    * \param[out] leaves their numbers
    */
   void
-  leavesWithin(const Box& box, float distance, std::vector<std::size_t>& leaves) const;
+  leavesWithin(const Eigen::AlignedBox3f& box,
+               float distance,
+               std::vector<std::size_t>& leaves) const;
 
 private:
   /** The boxes around the children of a node; empty ones around infinity. */
@@ -92,7 +66,7 @@ private:
   };
 
   static std::vector<Node>
-  nodesOver(const std::vector<Box>& boxes);
+  nodesOver(const std::vector<Eigen::AlignedBox3f>& boxes);
 
   std::vector<Leaf> leaves_;
   /** From the nodes over leaves to the root. */
