@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace pcl {
@@ -43,22 +44,56 @@ nodeDistances(const Points& points, Eigen::Array3f first, float step, int n, flo
   }
 }
 
-/** Eight rows of sums: of the fields under each point. */
-PCL_KSS_WIDE void
+/** The sums of a row's bytes, two to a word: those of whole words, modulo their size,
+ * less those of their upper bytes are those of the lower ones. */
+class RowSums {
+public:
+  void
+  add(const std::uint8_t* bytes)
+  {
+    Words words;
+    std::memcpy(&words, bytes, sizeof words);
+    both_ += words;
+    upper_ += words >> 8;
+  }
+
+  void
+  write(std::uint16_t* sums) const
+  {
+    const Words lower = both_ - (upper_ << 8);
+    for (int i = 0; i < lanes / 2; ++i) {
+      sums[2 * i + !is_little_endian] = lower[i];
+      sums[2 * i + is_little_endian] = upper_[i];
+    }
+  }
+
+private:
+  /** What compilers do not make of a loop over an array. */
+  using Words [[gnu::vector_size(lanes)]] = std::uint16_t;
+
+  static constexpr bool is_little_endian = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
+
+  Words both_ = {}, upper_ = {};
+};
+
+/** Rows of sums, \ref rows_at_once: of the fields under each point. */
+void
 sumRows(const std::uint8_t* field,
         const std::uint32_t* first,
         int points,
         const std::uint32_t* rows,
         std::uint16_t* sums)
 {
-  for (int row = 0; row < rows_at_once; ++row) {
-    std::uint16_t sum[lanes] = {};
+  constexpr int few = 4; // whose sums stay in registers
+  for (int row = 0; row < rows_at_once; row += few) {
+    RowSums sum[few];
     for (int i = 0; i < points; ++i) {
-      const std::uint8_t* under = field + first[i] + rows[row];
-      for (int lane = 0; lane < lanes; ++lane)
-        sum[lane] += under[lane];
+      const std::uint8_t* const under = field + first[i];
+      for (int r = 0; r < few; ++r)
+        sum[r].add(under + rows[row + r]);
     }
-    std::copy(sum, sum + lanes, sums + row * lanes);
+    for (int r = 0; r < few; ++r)
+      sum[r].write(sums + (row + r) * lanes);
   }
 }
 
