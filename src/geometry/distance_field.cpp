@@ -6,6 +6,8 @@
 
 #include <pcl/registration/kss/detail/stopping.h>
 
+#include "support/wide_vectors.h"
+
 #include <cmath>
 #include <limits>
 
@@ -14,6 +16,50 @@ namespace kss {
 namespace {
 
 constexpr double most_cells = 4e6;
+
+/** Have cells in a line learn of the points of as many others beside them.
+ * \param[in] n how many
+ * \param[in] stride from cell to cell
+ * \param[in] to_other from a cell to the one that it asks
+ * \param[in] centers of the cells along the line
+ * \param[in] a where the line is along the second axis
+ * \param[in] b the same along the third one
+ * \param[in,out] first coordinates of the cells' points, that along the line first,
+ * \param[in,out] second
+ * \param[in,out] third
+ * \param[in,out] squared distances, and
+ * \param[in,out] index which they are
+ */
+PCL_KSS_WIDE void
+learn(int n,
+      std::ptrdiff_t stride,
+      std::ptrdiff_t to_other,
+      const float* centers,
+      float a,
+      float b,
+      float* first,
+      float* second,
+      float* third,
+      float* squared,
+      int* index)
+{
+// lines beside each other have no cell in common
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC ivdep
+#endif
+  for (int i = 0; i < n; ++i) {
+    const std::ptrdiff_t own = i * stride, other = own + to_other;
+    const float x = first[other], y = second[other], z = third[other];
+    const float dx = x - centers[i], dy = y - a, dz = z - b;
+    const float distance = dx * dx + dy * dy + dz * dz;
+    const bool is_nearer = distance < squared[own];
+    squared[own] = is_nearer ? distance : squared[own];
+    first[own] = is_nearer ? x : first[own];
+    second[own] = is_nearer ? y : second[own];
+    third[own] = is_nearer ? z : third[own];
+    index[own] = is_nearer ? index[other] : index[own];
+  }
+}
 
 } // namespace
 
@@ -40,29 +86,27 @@ DistanceField::DistanceField(const Points& points, float cell, float margin)
       centers_[axis].push_back(lower_[axis] + cell * (static_cast<float>(i) + 0.5f));
 
   // squared distances first
-  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+  std::array<std::vector<float>, 3> places;
+  for (std::vector<float>& coordinates : places)
+    coordinates.assign(nearest_.size(), std::numeric_limits<float>::infinity());
+  for (int i = 0; i < points.cols(); ++i) {
     const Eigen::Array3i at = coordinatesOf(points.col(i));
-    offer(points, cellAt(at),
-          {centers_[0][at.x()], centers_[1][at.y()], centers_[2][at.z()]},
-          static_cast<int>(i));
+    const std::size_t cell = cellAt(at);
+    const float squared =
+        (points.col(i) -
+         Eigen::Vector3f(centers_[0][at.x()], centers_[1][at.y()], centers_[2][at.z()]))
+            .squaredNorm();
+    if (squared < distances_[cell]) {
+      distances_[cell] = squared;
+      nearest_[cell] = i;
+      for (int axis = 0; axis < 3; ++axis)
+        places[axis][cell] = points(axis, i);
+    }
   }
   for (int round = 0; round < 2; ++round)
-    spread(points);
+    spread(places);
   for (float& distance : distances_)
     distance = std::sqrt(distance);
-}
-
-void
-DistanceField::offer(const Points& points,
-                     std::size_t cell,
-                     const Eigen::Vector3f& center,
-                     int point)
-{
-  const float squared = (points.col(point) - center).squaredNorm();
-  if (squared < distances_[cell]) {
-    distances_[cell] = squared;
-    nearest_[cell] = point;
-  }
 }
 
 // Every cell that holds a point knows it; then each cell asks the one before it, along
@@ -71,32 +115,28 @@ DistanceField::offer(const Points& points,
 // a point's cell the first round alone reaches every cell by steps along x, then y,
 // then z, each of which adds an edge at most.
 void
-DistanceField::spread(const Points& points)
+DistanceField::spread(std::array<std::vector<float>, 3>& places)
 {
-  std::ptrdiff_t stride = 1; // from cell to cell along the axis
+  const std::ptrdiff_t strides[] = {1, size_.x(),
+                                    static_cast<std::ptrdiff_t>(size_.x()) * size_.y()};
   for (int axis = 0; axis < 3; ++axis) {
-    throwIfStopped();
-    // the cells with a coordinate ask those with the one before it, or behind it
-    const auto ask = [&](int coordinate, int other) {
-      Eigen::Array3i first = Eigen::Array3i::Zero(), last = size_.array() - 1;
-      first[axis] = last[axis] = coordinate;
-      const std::ptrdiff_t to_other = (other - coordinate) * stride;
-      for (int z = first.z(); z <= last.z(); ++z)
-        for (int y = first.y(); y <= last.y(); ++y) {
-          auto cell = static_cast<std::ptrdiff_t>(cellAt({first.x(), y, z}));
-          for (int x = first.x(); x <= last.x(); ++x, ++cell) {
-            const int point = nearest_[cell + to_other];
-            if (point >= 0 && point != nearest_[cell])
-              offer(points, cell, {centers_[0][x], centers_[1][y], centers_[2][z]},
-                    point);
-          }
-        }
-    };
-    for (int i = 1; i < size_[axis]; ++i)
-      ask(i, i - 1);
-    for (int i = size_[axis] - 2; i >= 0; --i)
-      ask(i, i + 1);
-    stride *= size_[axis];
+    // cells in a line across the axis ask together
+    const int line = axis == 0 ? 1 : 0, rest = 3 - axis - line;
+    for (int r = 0; r < size_[rest]; ++r) {
+      throwIfStopped();
+      const auto ask = [&](int at, int other) {
+        const std::ptrdiff_t cell = at * strides[axis] + r * strides[rest];
+        learn(size_[line], strides[line], (other - at) * strides[axis],
+              centers_[line].data(), centers_[axis][at], centers_[rest][r],
+              places[line].data() + cell, places[axis].data() + cell,
+              places[rest].data() + cell, distances_.data() + cell,
+              nearest_.data() + cell);
+      };
+      for (int i = 1; i < size_[axis]; ++i)
+        ask(i, i - 1);
+      for (int i = size_[axis] - 2; i >= 0; --i)
+        ask(i, i + 1);
+    }
   }
 }
 

@@ -87,17 +87,12 @@ private:
     return (static_cast<std::size_t>(at.z()) * size_.y() + at.y()) * size_.x() + at.x();
   }
 
-  /** \brief Take a point for a cell's where it is nearer to its centre than the one
-   * that the cell knows. */
+  /** \brief Have every cell learn of its neighbours' points.
+   * \param[in,out] places of the points, coordinates apart; beyond all where a cell
+   * knows none
+   */
   void
-  offer(const Points& points,
-        std::size_t cell,
-        const Eigen::Vector3f& center,
-        int point);
-
-  /** \brief Have every cell learn of its neighbours' points. */
-  void
-  spread(const Points& points);
+  spread(std::array<std::vector<float>, 3>& places);
 
   Eigen::Vector3f lower_;
   float inverse_edge_;
