@@ -5,6 +5,7 @@
 #include "geometry/nearest_points.h"
 
 #include "geometry/clouds.h"
+#include "geometry/median.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,9 @@ NearestPoints::NearestPoints(const Surface& surface)
 : points_(surface.points)
 , around_(points_.cols())
 , spacing_(spacingOf(surface.neighbourhoods))
+, usual_spacing_(median(spacing_))
+, middle_(points_.rowwise().mean())
+, radius_(rootMeanSquareRadius(points_, middle_))
 , field_(points_, cellFor(points_), 2.0f * cellFor(points_))
 {
   const Eigen::MatrixXi& indices = surface.neighbourhoods.indices;

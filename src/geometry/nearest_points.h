@@ -116,6 +116,27 @@ public:
     return spacing_;
   }
 
+  /** \brief Its median. */
+  float
+  usualSpacing() const
+  {
+    return usual_spacing_;
+  }
+
+  /** \brief The mean of the points. */
+  const Eigen::Vector3f&
+  middle() const
+  {
+    return middle_;
+  }
+
+  /** \brief Their root mean square distance from it. */
+  float
+  radius() const
+  {
+    return radius_;
+  }
+
 private:
   /** Enough for nearly every direction to have a neighbour in it, and whole vectors. */
   static constexpr int neighbours = 12;
@@ -138,6 +159,9 @@ private:
   Points points_;
   std::vector<Around> around_;
   Eigen::VectorXf spacing_;
+  float usual_spacing_;
+  Eigen::Vector3f middle_;
+  float radius_;
   DistanceField field_;
 };
 

@@ -181,12 +181,13 @@ withoutStrayPoints(const Points& cloud, unsigned int threads)
 }
 
 bool
-isNoisy(const Points& cloud, unsigned int threads)
+isNoisy(const Surface& surface, unsigned int threads)
 {
   // the two skins of a wall fill space from afar, and are surfaces from close by
-  return cloud.cols() >= 4 * small &&
-         usualVariation(quarterOf(cloud), threads) > heavy &&
-         usualVariation(cloud, threads) > heavy;
+  const auto& [points, neighbourhoods] = surface;
+  return points.cols() >= 4 * small &&
+         median(surfaceVariation(points, neighbourhoods, threads)) > heavy &&
+         usualVariation(quarterOf(points), threads) > heavy;
 }
 
 void

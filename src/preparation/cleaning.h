@@ -36,11 +36,11 @@ withoutStrayPoints(const Points& cloud, unsigned int threads);
 
 /** \brief Whether noise is so heavy that the points fill space instead of lying on a
  * surface.
- * \param[in] cloud any number of points
+ * \param[in] surface what may be one
  * \param[in] threads 0: as many as there are cores
  */
 bool
-isNoisy(const Points& cloud, unsigned int threads);
+isNoisy(const Surface& surface, unsigned int threads);
 
 /** \brief Average heavy noise away.
  *

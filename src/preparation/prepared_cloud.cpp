@@ -98,8 +98,7 @@ prepared(const LocalCloud& cloud, const Settings& settings)
   PreparedCloud prepared;
   prepared.input = cloud;
   prepared.surface = surfaceOf(cloud.points, most_points, settings);
-  prepared.is_noisy =
-      settings.clean && isNoisy(prepared.surface.points, settings.threads);
+  prepared.is_noisy = settings.clean && isNoisy(prepared.surface, settings.threads);
   takeWhatJudges(cloud, settings, prepared);
   prepared.order = orderOf(prepared.surface.points, settings);
   return prepared;

@@ -5,7 +5,6 @@
 #include <pcl/registration/kss/alignment.h>
 #include <pcl/registration/kss/detail/similarity.h>
 
-#include "geometry/median.h"
 #include "preparation/shape_pair.h"
 #include "refinement/overlap.h"
 #include "surfaces/evidence.h"
@@ -49,7 +48,7 @@ double
 normalErrorOf(const Shape& shape)
 {
   constexpr double points = 13.0;
-  return shape.surface.planes.noise / median(shape.surface.points->spacing()) *
+  return shape.surface.planes.noise / shape.surface.points->usualSpacing() *
          std::sqrt(2.0 / points);
 }
 
@@ -105,9 +104,9 @@ double
 PoseScorer::spacingAt(const Eigen::Matrix4d& transformation) const
 {
   return std::max(scaleOf(transformation) * shapes_->source.simplified.size *
-                      median(shapes_->source.all->spacing()),
+                      shapes_->source.all->usualSpacing(),
                   shapes_->target.simplified.size *
-                      median(shapes_->target.all->spacing()));
+                      shapes_->target.all->usualSpacing());
 }
 
 void

@@ -6,7 +6,6 @@
 
 #include <pcl/registration/kss/detail/stopping.h>
 
-#include "geometry/median.h"
 #include "geometry/take.h"
 #include "refinement/overlap.h"
 #include "support/parallel.h"
@@ -112,8 +111,8 @@ Selection::refineMoreAndMore(std::vector<Ranked>& ranked,
     ranked = refined(ranked, step);
   done(0.4);
   const double spacing =
-      std::max(ranked.front().pose.scale * median(source_.points->spacing()),
-               static_cast<double>(median(target_.points->spacing())));
+      std::max(ranked.front().pose.scale * source_.points->usualSpacing(),
+               static_cast<double>(target_.points->usualSpacing()));
   double share = 0.4;
   for (const SelectionStep& step :
        stepsOnSurfaces(effort_, spacing, samples, shapes_.is_noisy)) {

@@ -4,8 +4,6 @@
 
 #include "surfaces/evidence.h"
 
-#include "geometry/clouds.h"
-#include "geometry/median.h"
 #include "geometry/take.h"
 #include "surfaces/pose_rows.h"
 
@@ -117,15 +115,11 @@ evidenceAt(const OrientedPoints& source,
                               scale_is_free, most, residuals);
   if (residuals.points > 0)
     evidence.residual = std::sqrt(residuals.squared / residuals.points);
-  const auto radiusOf = [](const OrientedPoints& cloud) {
-    const Points& points = cloud.points->points();
-    return rootMeanSquareRadius(points, points.rowwise().mean());
-  };
-  const float spacing = std::max(scale * median(source.points->spacing()),
-                                 median(target.points->spacing()));
+  const float spacing =
+      std::max(scale * source.points->usualSpacing(), target.points->usualSpacing());
   evidence.noise = noise / spacing;
-  const float source_radius = scale * radiusOf(source),
-              target_radius = radiusOf(target);
+  const float source_radius = scale * source.points->radius(),
+              target_radius = target.points->radius();
   evidence.reach = near_spacings * spacing / std::min(source_radius, target_radius);
   evidence.size = source_radius / target_radius;
   return evidence;

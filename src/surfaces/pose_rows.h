@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include "geometry/clouds.h"
 #include "geometry/oriented_points.h"
 #include "geometry/similarity.h"
 
@@ -48,11 +47,9 @@ public:
   , placement_(pose.affine())
   , rotation_(pose.rotation.cast<float>())
   , scale_(static_cast<float>(pose.scale))
+  , center_(placement_ * cloud.points->middle())
+  , radius_(scale_ * cloud.points->radius())
   {
-    const Points& points = cloud.points->points();
-    const Eigen::Vector3f middle = points.rowwise().mean();
-    center_ = placement_ * middle;
-    radius_ = scale_ * rootMeanSquareRadius(points, middle);
   }
 
   /** \brief The mean of the placed points. */

@@ -4,7 +4,6 @@
 
 #include "surfaces/skins.h"
 
-#include "geometry/median.h"
 #include "geometry/take.h"
 #include "surfaces/pose_rows.h"
 
@@ -121,8 +120,8 @@ skinBeside(const OrientedPoints& source,
   if (here.explained >= well_explained * here.near)
     return {};
   const auto scale = static_cast<float>(T_target_source.scale);
-  const float spacing = std::max(scale * median(source.points->spacing()),
-                                 median(target.points->spacing()));
+  const float spacing =
+      std::max(scale * source.points->usualSpacing(), target.points->usualSpacing());
   const float reach = near_spacings * spacing;
   const float step =
       within_noise * std::max({scale * source.planes.noise, target.planes.noise,

@@ -29,6 +29,13 @@ contentsOf(const Points& points)
   return contents;
 }
 
+/** Points that know as many neighbours as cleaning asks for. */
+Surface
+surfaceOf(const Points& points)
+{
+  return {points, neighbourhoodsOf(points, 16, 1)};
+}
+
 /** How many of the points are left. */
 Eigen::Index
 left(const Points& points, const Points& rest)
@@ -171,20 +178,20 @@ TEST(Noise, IsToldFromSurfaces)
   for (const Mesh& mesh : {ball, lump(), creature()})
     for (const int number : {1000, 5000}) {
       const Points clean = sampled(mesh, number, 10);
-      EXPECT_FALSE(isNoisy(clean, 1)) << number;
-      EXPECT_FALSE(isNoisy(noisy(clean, 0.005, 11), 1)) << number;
+      EXPECT_FALSE(isNoisy(surfaceOf(clean), 1)) << number;
+      EXPECT_FALSE(isNoisy(surfaceOf(noisy(clean, 0.005, 11)), 1)) << number;
     }
-  EXPECT_FALSE(isNoisy(sampled(pennant(), 3000, 12), 1));
+  EXPECT_FALSE(isNoisy(surfaceOf(sampled(pennant(), 3000, 12)), 1));
   for (const int number : {3000, 8000}) {
     // a tenth of the radius of the lump, several spacings
     const Points heavy = noisy(sampled(lump(), number, 13), 0.12, 14);
-    EXPECT_TRUE(isNoisy(heavy, 1)) << number;
-    EXPECT_TRUE(isNoisy(heavy, 2)) << number;
+    EXPECT_TRUE(isNoisy(surfaceOf(heavy), 1)) << number;
+    EXPECT_TRUE(isNoisy(surfaceOf(heavy), 2)) << number;
   }
-  EXPECT_TRUE(isNoisy(scattered(3000, 15), 1));
+  EXPECT_TRUE(isNoisy(surfaceOf(scattered(3000, 15)), 1));
   // too few to say
   for (const int number : {1, 3, 399})
-    EXPECT_FALSE(isNoisy(scattered(number, 16), 1));
+    EXPECT_FALSE(isNoisy(surfaceOf(scattered(number, 16)), 1));
 }
 
 TEST(Noise, IsAveragedAway)
@@ -201,7 +208,7 @@ TEST(Noise, IsAveragedAway)
   for (const auto& pair : {std::make_pair(&a, &source), std::make_pair(&b, &target)}) {
     // a quarter of the error goes at least; the radius is not larger than needed
     EXPECT_LT(distance(*pair.second, clean), 0.75 * distance(*pair.first, clean));
-    EXPECT_FALSE(isNoisy(*pair.second, 1));
+    EXPECT_FALSE(isNoisy(surfaceOf(*pair.second), 1));
     // and the means still lie all around
     EXPECT_NEAR(0.0f, (pair.second->rowwise().mean() - clean.rowwise().mean()).norm(),
                 0.12f);
