@@ -20,8 +20,9 @@ namespace {
 /** Points of a cloud that take part in refinement and judgement at most. */
 constexpr std::size_t most_points = 12000;
 
-/** Points of a cloud that judge poses at most. */
-constexpr std::size_t most_dense_points = 100000;
+/** Points of a cloud that judge poses at most: those of an object show all of its
+ * surface; a scene shares little of its own, and of what it has there are many. */
+constexpr std::size_t most_object_points = 40000, most_scene_points = 100000;
 
 /** By how much more of the normals of fewer points have to agree with their neighbours'
  * for them to judge: so much more is due to noise, and several standard errors of the
@@ -73,7 +74,10 @@ takeWhatJudges(const LocalCloud& cloud,
   prepared.planes = planesOf(prepared.surface, cloud, settings);
   if (static_cast<std::size_t>(cloud.points.cols()) <= most_points)
     return;
-  Surface dense = surfaceOf(cloud.points, most_dense_points, settings);
+  // the scales of scenes are known
+  const std::size_t most =
+      settings.estimate_scale ? most_object_points : most_scene_points;
+  Surface dense = surfaceOf(cloud.points, most, settings);
   TangentPlanes planes = planesOf(dense, cloud, settings);
   if (agreeingShare(prepared.planes) > agreeingShare(planes) + clearly)
     return;
