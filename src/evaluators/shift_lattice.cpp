@@ -6,6 +6,7 @@
 
 #include <pcl/registration/kss/detail/grid_index.h>
 
+#include "geometry/clouds.h"
 #include "support/rounded_up.h"
 
 #include <algorithm>
@@ -35,8 +36,8 @@ ShiftLattice::ShiftLattice(const Points& cloud,
 , limit_(limit)
 {
   const Points points = turned(cloud);
-  const Eigen::Array3f extent =
-      points.rowwise().maxCoeff() - points.rowwise().minCoeff();
+  const Eigen::AlignedBox3f box = boxOf(points);
+  const Eigen::Array3f extent = box.sizes();
   const Eigen::Array3i counts(centers.steps[0], centers.steps[1], centers.steps[2]);
   const auto most = Eigen::Array3i::Constant(most_nodes);
   double widest = std::max<double>(widest_step * limit, extent.maxCoeff() / most_steps);
@@ -60,7 +61,7 @@ ShiftLattice::ShiftLattice(const Points& cloud,
       throw std::invalid_argument("The clouds are too different in size to be searched "
                                   "for each other.");
   }
-  lower_ = points.rowwise().minCoeff().array() - limit + 0.5f * step_;
+  lower_ = box.min().array() - limit + 0.5f * step_;
 
   for (int x = 0; x < counts[0]; ++x)
     for (int y = 0; y < counts[1]; ++y)

@@ -7,6 +7,8 @@
 #include <pcl/registration/kss/detail/grid_index.h>
 #include <pcl/registration/kss/detail/points.h>
 
+#include "geometry/clouds.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -34,8 +36,11 @@ public:
    * together. */
   static constexpr int most = 1 << 20;
 
-  CellLattice(const Points& cloud, float edge)
-  : lower_(cloud.rowwise().minCoeff())
+  /** \param[in] box around the cloud
+   * \param[in] edge of a cell
+   */
+  CellLattice(const Eigen::AlignedBox3f& box, float edge)
+  : lower_(box.min())
   , edge_(edge)
   {
   }
@@ -77,6 +82,13 @@ public:
     resize(size);
   }
 
+  /** \brief Have memory fetch what the number of a key is found by. */
+  void
+  prefetch(std::uint64_t key) const
+  {
+    __builtin_prefetch(&slots_[firstSlotOf(key)], 1);
+  }
+
   /** \brief The number of a key; a new one gets the next. */
   int
   add(std::uint64_t key)
@@ -110,11 +122,18 @@ private:
     int number;
   };
 
+  /** By Fibonacci hashing. */
+  std::size_t
+  firstSlotOf(std::uint64_t key) const
+  {
+    return key * 0x9e3779b97f4a7c15u >> shift_;
+  }
+
+  /** Its own, or the next free one. */
   std::size_t
   slotOf(std::uint64_t key) const
   {
-    // Fibonacci hashing, then the next free slot
-    std::size_t slot = key * 0x9e3779b97f4a7c15u >> shift_;
+    std::size_t slot = firstSlotOf(key);
     while (slots_[slot].number >= 0 && slots_[slot].key != key)
       slot = (slot + 1) & (slots_.size() - 1);
     return slot;
@@ -141,7 +160,7 @@ private:
 class CellGrid {
 public:
   CellGrid(const Points& cloud, float edge)
-  : cells_(cloud, edge)
+  : cells_(boxOf(cloud), edge)
   , table_(cloud.cols() / 4)
   {
     std::vector<int> cell_of(cloud.cols());

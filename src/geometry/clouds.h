@@ -6,8 +6,11 @@
 
 #include <pcl/registration/kss/detail/points.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace kss {
@@ -19,11 +22,35 @@ areEqual(const Points& a, const Points& b)
   return a.cols() == b.cols() && a == b;
 }
 
+/** \brief The box around a cloud; empty where there is no point. */
+inline Eigen::AlignedBox3f
+boxOf(const Points& cloud)
+{
+  // four points at once are whole vectors
+  constexpr int many = 12;
+  constexpr float infinite = std::numeric_limits<float>::infinity();
+  using Block = Eigen::Array<float, many, 1>;
+  Block lower = Block::Constant(infinite), upper = -lower;
+  const Eigen::Index blocks = cloud.size() / many;
+  for (Eigen::Index b = 0; b < blocks; ++b) {
+    const Block block = Eigen::Map<const Block>(cloud.data() + b * many);
+    lower = lower.min(block);
+    upper = upper.max(block);
+  }
+  Eigen::AlignedBox3f box;
+  for (Eigen::Index i = blocks * many / 3; i < cloud.cols(); ++i)
+    box.extend(cloud.col(i));
+  if (blocks > 0)
+    for (int i = 0; i < many; i += 3)
+      box.extend(Eigen::AlignedBox3f(lower.segment<3>(i), upper.segment<3>(i)));
+  return box;
+}
+
 /** \brief The longest edge of a cloud's bounding box, L_p of (e6). */
 inline float
 longestEdge(const Points& cloud)
 {
-  return (cloud.rowwise().maxCoeff() - cloud.rowwise().minCoeff()).maxCoeff();
+  return boxOf(cloud).sizes().maxCoeff();
 }
 
 /** \brief The root mean square distance of the points from a centre. */

@@ -6,6 +6,7 @@
 
 #include <pcl/registration/kss/detail/stopping.h>
 
+#include "geometry/clouds.h"
 #include "support/wide_vectors.h"
 
 #include <cmath>
@@ -64,12 +65,11 @@ learn(int n,
 } // namespace
 
 DistanceField::DistanceField(const Points& points, float cell, float margin)
-: lower_(points.rowwise().minCoeff().array() - margin)
+: lower_(boxOf(points).min().array() - margin)
 {
   if (!(cell > 0.0f)) // all points coincide
     cell = 1.0f;
-  const Eigen::Vector3f extent =
-      (points.rowwise().maxCoeff() - lower_).array() + margin;
+  const Eigen::Vector3f extent = (boxOf(points).max() - lower_).array() + margin;
   for (;; cell *= 1.25f) {
     const Eigen::Array3d cells = (extent.cast<double>() / cell).array().floor() + 1.0;
     if (cells.prod() <= most_cells) {

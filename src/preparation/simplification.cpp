@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -25,9 +26,9 @@ namespace {
 
 /** L_p of (e6); 1 where all points coincide, so that it can divide. */
 float
-edgeToDivide(const Points& cloud)
+edgeToDivide(const Eigen::AlignedBox3f& box)
 {
-  const float edge = longestEdge(cloud);
+  const float edge = box.sizes().maxCoeff();
   return edge > 0.0f ? edge : 1.0f;
 }
 
@@ -37,7 +38,7 @@ voxelEdge(const Points& cloud)
 {
   const double divisions =
       std::round(std::cbrt(static_cast<double>(cloud.cols())) / 2.0);
-  return edgeToDivide(cloud) / static_cast<float>(std::max(1.0, divisions));
+  return edgeToDivide(boxOf(cloud)) / static_cast<float>(std::max(1.0, divisions));
 }
 
 /** A box of the cloud, and the samples taken in it. */
@@ -181,16 +182,27 @@ atRandom(std::size_t points, std::size_t samples)
 
 /** The first point of each cell; every so-manieth point takes part. */
 std::vector<int>
-onePerCell(const Points& cloud, float edge, std::size_t expected, int stride)
+onePerCell(const Points& cloud,
+           const CellLattice& cells,
+           std::size_t expected,
+           int stride)
 {
-  const CellLattice cells(cloud, edge);
   KeyTable table(expected);
   std::vector<int> kept;
-  for (int i = 0, n = 0; i < cloud.cols(); i += stride, ++n) {
-    if (n % (1 << 20) == 0)
-      throwIfStopped();
-    if (table.add(keyOf(cells.of(cloud.col(i)))) == static_cast<int>(kept.size()))
-      kept.push_back(i);
+  // many at once: slots of the table are on their way while others are looked at
+  constexpr int many = 64;
+  std::array<std::uint64_t, many> keys;
+  for (std::ptrdiff_t begin = 0; begin < cloud.cols(); begin += many * stride) {
+    throwIfStopped();
+    const std::ptrdiff_t left = (cloud.cols() - begin + stride - 1) / stride;
+    const auto n = static_cast<int>(std::min<std::ptrdiff_t>(many, left));
+    for (int i = 0; i < n; ++i) {
+      keys[i] = keyOf(cells.of(cloud.col(begin + i * stride)));
+      table.prefetch(keys[i]);
+    }
+    for (int i = 0; i < n; ++i)
+      if (table.add(keys[i]) == static_cast<int>(kept.size()))
+        kept.push_back(static_cast<int>(begin + i * stride));
   }
   return kept;
 }
@@ -207,17 +219,18 @@ onePerCell(const Points& cloud, std::size_t least, std::size_t most)
   const auto size = static_cast<std::size_t>(cloud.cols());
   const int stride = static_cast<int>(std::max<std::size_t>(1, size / (12 * most)));
   const float aim = std::sqrt(static_cast<float>(least) * most);
-  const float longest = edgeToDivide(cloud);
+  const Eigen::AlignedBox3f box = boxOf(cloud);
+  const float longest = edgeToDivide(box);
   float edge = longest / std::sqrt(aim);
   std::vector<int> kept;
   for (int round = 0; round < 8; ++round) {
     edge = std::max(edge, longest / CellLattice::most);
-    kept = onePerCell(cloud, edge, most, stride);
+    kept = onePerCell(cloud, {box, edge}, most, stride);
     if (kept.size() >= least && kept.size() <= most)
       break;
     edge *= std::sqrt(static_cast<float>(kept.size()) / aim);
   }
-  return stride == 1 ? kept : onePerCell(cloud, edge, most, 1);
+  return stride == 1 ? kept : onePerCell(cloud, {box, edge}, most, 1);
 }
 
 /** Points whose neighbours tell how sparse a cloud can be. */
