@@ -7,6 +7,8 @@
 #include <pcl/registration/kss/detail/grid_index.h>
 #include <pcl/registration/kss/detail/stopping.h>
 
+#include "support/wide_vectors.h"
+
 #include <Eigen/Geometry>
 
 #include <array>
@@ -20,9 +22,14 @@ namespace {
 /** Cells along an axis, as a power of two. */
 constexpr int bits = 10;
 
+/** Points that are placed along the curve together: loops over them become vectors. */
+constexpr int together = 64;
+
+using Numbers = std::array<std::uint32_t, together>;
+
 /** Ten bits with two free ones before each. */
-std::uint64_t
-spreadOut(std::uint64_t number)
+inline std::uint32_t
+spreadOut(std::uint32_t number)
 {
   number = (number | number << 16) & 0x030000ff;
   number = (number | number << 8) & 0x0300f00f;
@@ -30,32 +37,37 @@ spreadOut(std::uint64_t number)
   return (number | number << 2) & 0x09249249;
 }
 
-/** The place of a cell along Hilbert's curve (J. Skilling, "Programming the Hilbert
- * curve", 2004). */
-std::uint64_t
-placeOf(const Eigen::Array3i& cell)
+/** The places of cells along Hilbert's curve (J. Skilling, "Programming the Hilbert
+ * curve", 2004).
+ * \param[in] x of the cells; changed
+ * \param[in] y
+ * \param[in] z
+ * \param[out] places
+ */
+PCL_KSS_WIDE void
+findPlaces(Numbers& x, Numbers& y, Numbers& z, Numbers& places)
 {
-  unsigned int x[] = {static_cast<unsigned int>(cell.x()),
-                      static_cast<unsigned int>(cell.y()),
-                      static_cast<unsigned int>(cell.z())};
-  for (unsigned int bit = 1u << (bits - 1); bit > 1; bit >>= 1) {
-    const unsigned int below = bit - 1;
-    for (unsigned int& coordinate : x) {
-      // where the bit is set: invert those of x below it; otherwise exchange them
-      const unsigned int is_set = coordinate & bit ? ~0u : 0u;
-      const unsigned int exchanged = (x[0] ^ coordinate) & below & ~is_set;
-      x[0] ^= (below & is_set) | exchanged;
-      coordinate ^= exchanged;
-    }
+  for (std::uint32_t bit = 1u << (bits - 1); bit > 1; bit >>= 1) {
+    const std::uint32_t below = bit - 1;
+    for (Numbers* const coordinates : {&x, &y, &z})
+      for (int i = 0; i < together; ++i) {
+        // where the bit is set: invert those of x below it; otherwise exchange them
+        const std::uint32_t coordinate = (*coordinates)[i];
+        const std::uint32_t is_set = coordinate & bit ? ~0u : 0u;
+        const std::uint32_t exchanged = (x[i] ^ coordinate) & below & ~is_set;
+        x[i] ^= (below & is_set) | exchanged;
+        (*coordinates)[i] ^= exchanged;
+      }
   }
-  x[1] ^= x[0];
-  x[2] ^= x[1];
-  unsigned int flipped = 0;
-  for (unsigned int bit = 1u << (bits - 1); bit > 1; bit >>= 1)
-    if (x[2] & bit)
-      flipped ^= bit - 1;
-  return spreadOut(x[0] ^ flipped) << 2 | spreadOut(x[1] ^ flipped) << 1 |
-         spreadOut(x[2] ^ flipped);
+  for (int i = 0; i < together; ++i) {
+    y[i] ^= x[i];
+    z[i] ^= y[i];
+    std::uint32_t flipped = 0;
+    for (std::uint32_t bit = 1u << (bits - 1); bit > 1; bit >>= 1)
+      flipped ^= z[i] & bit ? bit - 1 : 0u;
+    places[i] = spreadOut(x[i] ^ flipped) << 2 | spreadOut(y[i] ^ flipped) << 1 |
+                spreadOut(z[i] ^ flipped);
+  }
 }
 
 /** Sort by the upper half of the words, which has 3 x bits bits. */
@@ -94,14 +106,22 @@ alongSpace(const float* first, std::size_t stride, std::size_t size)
   const Eigen::Array3i last = Eigen::Array3i::Constant((1 << bits) - 1);
   std::vector<std::uint64_t> words;
   words.reserve(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    const Eigen::Vector3f point = pointAt(i);
-    if (!point.allFinite())
-      continue;
-    const Eigen::Array3i cell =
-        toIndices(Eigen::Vector3f((point - box.min()) * cells), last);
-    const std::uint64_t key = placeOf(cell);
-    words.push_back(key << 32 | i);
+  std::array<std::uint32_t, together> indices;
+  Numbers x{}, y{}, z{}, places;
+  for (std::size_t i = 0; i < size;) {
+    int n = 0;
+    for (; i < size && n < together; ++i)
+      if (const Eigen::Vector3f point = pointAt(i); point.allFinite()) {
+        const Eigen::Array3i cell =
+            toIndices(Eigen::Vector3f((point - box.min()) * cells), last);
+        x[n] = cell.x();
+        y[n] = cell.y();
+        z[n] = cell.z();
+        indices[n++] = static_cast<std::uint32_t>(i);
+      }
+    findPlaces(x, y, z, places);
+    for (int p = 0; p < n; ++p)
+      words.push_back(static_cast<std::uint64_t>(places[p]) << 32 | indices[p]);
   }
   throwIfStopped();
   sortByKeys(words);
