@@ -95,6 +95,21 @@ rank(const float* values, int filled, int* ranks)
   }
 }
 
+/** Which points of a leaf lie within a distance of a box: a bit for each. */
+unsigned int
+whichWithin(const Leaf& leaf, const Eigen::AlignedBox3f& box, float squared_distance)
+{
+  using Coordinates = Eigen::Array<float, leaf_size, 1>;
+  float squared[leaf_size] = {};
+  for (const auto& [coordinates, axis] :
+       {std::make_pair(leaf.x, 0), {leaf.y, 1}, {leaf.z, 2}}) {
+    const Coordinates at = Eigen::Map<const Coordinates>(coordinates);
+    Eigen::Map<Coordinates>(squared) +=
+        (box.min()[axis] - at).max(at - box.max()[axis]).max(0.0f).square();
+  }
+  return whichBelow(squared, squared_distance);
+}
+
 /** What finds the neighbours of a point among those around it. */
 class Nearby {
 public:
@@ -153,22 +168,14 @@ private:
   void
   add(const Leaf& leaf, const Eigen::AlignedBox3f& box, float distance)
   {
-    const float squared_distance = distance * distance;
-    for (int part = 0; part < leaf_size; part += lanes) {
-      float squared[lanes];
-      for (int l = 0; l < lanes; ++l) {
-        squared[l] = box.squaredExteriorDistance(
-            Eigen::Vector3f(leaf.x[part + l], leaf.y[part + l], leaf.z[part + l]));
-      }
-      for (unsigned int near = whichBelow(squared, squared_distance); near != 0;
-           near &= near - 1) {
-        const int i = part + __builtin_ctz(near);
-        around_.x[size_] = leaf.x[i];
-        around_.y[size_] = leaf.y[i];
-        around_.z[size_] = leaf.z[i];
-        around_.indices[size_] = leaf.indices[i];
-        ++size_;
-      }
+    for (unsigned int near = whichWithin(leaf, box, distance * distance); near != 0;
+         near &= near - 1) {
+      const int i = __builtin_ctz(near);
+      around_.x[size_] = leaf.x[i];
+      around_.y[size_] = leaf.y[i];
+      around_.z[size_] = leaf.z[i];
+      around_.indices[size_] = leaf.indices[i];
+      ++size_;
     }
   }
 
