@@ -40,8 +40,10 @@ public:
            const std::function<void(double)>& done);
 
 private:
-  void
-  bringUpToDate(std::shared_ptr<const PreparedCloud>& kept, const LocalCloud& cloud);
+  static void
+  bringUpToDate(std::shared_ptr<const PreparedCloud>& kept,
+                const LocalCloud& cloud,
+                const Settings& settings);
 
   Settings settings_;
   std::shared_ptr<const PreparedCloud> source_, target_;

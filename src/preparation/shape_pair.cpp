@@ -8,6 +8,7 @@
 
 #include "geometry/clouds.h"
 #include "geometry/median.h"
+#include "support/parallel.h"
 
 #include <algorithm>
 
@@ -108,11 +109,16 @@ shapePair(const PreparedPair& clouds,
     throwIfUndetermined(source_size, target_size, *guessed_scale);
   if (!settings.estimate_scale)
     source = withSize(source, target.size / known_scale);
-  return std::make_shared<ShapePair>(ShapePair{
-      shapeOf(source, *clouds.source, source_size, before ? &before->source : nullptr),
-      shapeOf(target, *clouds.target, target_size, before ? &before->target : nullptr),
-      PoseMetric(source.points), scalesBetween(source, target, settings),
-      clouds.is_noisy});
+  Shape shapes[2];
+  inParallel(2, settings.threads, 1, [&](std::ptrdiff_t i) {
+    shapes[i] = i == 0 ? shapeOf(source, *clouds.source, source_size,
+                                 before ? &before->source : nullptr)
+                       : shapeOf(target, *clouds.target, target_size,
+                                 before ? &before->target : nullptr);
+  });
+  return std::make_shared<ShapePair>(
+      ShapePair{shapes[0], shapes[1], PoseMetric(source.points),
+                scalesBetween(source, target, settings), clouds.is_noisy});
 }
 
 } // namespace kss

@@ -575,51 +575,87 @@ private:
   kss::Alignment&
   alignmentForSettings();
 
-  /** \brief The points of the source that take part in the final ICP, from few, with
-   * which most of the way is made, to all.
+  /** \brief A part of the final ICP. */
+  struct FinalStep {
+    /** \brief The points of the source that take part. */
+    PointCloudSourceConstPtr points;
+    /** \brief Iterations at most. */
+    int iterations;
+    /** \brief How far the logarithm of the odds may then be behind the rival's for the
+     * run to go on. */
+    double most_behind;
+  };
+
+  /** \brief From few points, with which most of the way is made, to all of them, and
+   * from as many iterations as right poses take to as many as may be made. */
+  using FinalSteps = std::vector<FinalStep>;
+
+  /** \brief The parts of the final ICP.
+   * \param[in] used points of the source that take part, sorted in space
    */
-  using SourceSteps = std::vector<PointCloudSourceConstPtr>;
+  FinalSteps
+  finalSteps(const Indices& used) const;
 
   /** \brief Run the final ICP from the guess and from all contenders that may be right,
    * and put the one that the surfaces speak for most first.
-   * \param[in] source the points that take part
+   * \param[in] steps from few points to all
    * \return why the work came to no end; empty if it did
    */
   std::string
-  settle(const SourceSteps& source,
+  settle(const FinalSteps& steps,
          const kss::PoseScorer& scorer,
          const std::optional<Eigen::Matrix4d>& guess,
          std::vector<Contender>& contenders);
 
   /** \brief IterativeClosestPoint on the clouds themselves: T of (e11). It alone
    * borrows the members of the base class.
-   * \param[in] source the points that take part, from few to all
+   * \param[in] steps from few points to all
    * \param[in] contender where to start
    * \param[in] estimate_scale whether the scale may change where it is estimated
-   * \param[in] rival the logarithm of the odds of what the result competes with: where
-   * few points leave it far behind, that is all of its run
+   * \param[in] rival what the result competes with: where a step leaves it behind, that
+   * is all of its run; null: nothing
    * \param[in] has_skins whether half of the source may have its nearest points on
    * another skin of the target
    */
   Contender
-  finalICP(const SourceSteps& source,
+  finalICP(const FinalSteps& steps,
            const kss::PoseScorer& scorer,
            const Alternative& contender,
            bool estimate_scale,
-           double rival,
+           const Alternative* rival = nullptr,
            bool has_skins = false);
+
+  /** \brief One step of it.
+   * \param[in,out] pose
+   * \return whether it has led to one
+   */
+  bool
+  runICP(const FinalStep& step,
+         const kss::PoseScorer& scorer,
+         const kss::SurfaceStepSettings& settings,
+         Eigen::Matrix4d& pose);
+
+  /** \brief What the steps of its estimation go by. */
+  kss::SurfaceStepSettings
+  surfaceStepSettings(const kss::PoseScorer& scorer,
+                      bool estimate_scale,
+                      bool has_skins) const;
+
+  /** \brief What it has left in the members of the base class. */
+  Run
+  lastRun() const;
 
   /** \brief The contender on a skin beside it, or between which it has come to rest,
    * where that explains more. */
   Contender
-  onSkinBeside(const SourceSteps& source,
+  onSkinBeside(const FinalStep& step,
                const kss::PoseScorer& scorer,
                const Contender& contender);
 
   /** \brief The contender at scale 1 where that explains the clouds as well: metric
    * data must not lose accuracy to a scale that is free. */
   Contender
-  atScaleOne(const SourceSteps& source,
+  atScaleOne(const FinalStep& step,
              const kss::PoseScorer& scorer,
              const Contender& contender);
 
@@ -673,7 +709,7 @@ private:
   kss::Stages stages_;
   kss::StopSignal stop_;
   bool source_is_output_ = false;
-  int final_runs_ = 0;          ///< of ICP, in the stage that goes on
+  int final_runs_ = 0;          ///< of ICP that have begun, in the stage that goes on
   double rounding_error_ = 0.0; ///< of a distance between points
   Eigen::Vector3d source_centroid_ = Eigen::Vector3d::Zero();
   kss::SurfacePrecision precision_;

@@ -208,12 +208,8 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
         surfaces->finish();
     }
   } finish{*this};
-  SourceSteps steps;
-  if (used.size() > 2 * kss::points_of_first_steps)
-    steps.push_back(
-        kss::pointsAt(*input_, kss::spread(used, kss::points_of_first_steps)));
-  steps.push_back(kss::pointsAt(*input_, used));
-  const std::string stopped = settle(steps, aligned.scorer, guessed, contenders);
+  const std::string stopped =
+      settle(finalSteps(used), aligned.scorer, guessed, contenders);
   accept(contenders.front(), used);
   list(contenders, aligned.scorer);
   stages_.end();

@@ -20,9 +20,27 @@
 namespace pcl {
 
 template <typename PointSource, typename PointTarget, typename Scalar>
+typename KSSICP<PointSource, PointTarget, Scalar>::FinalSteps
+KSSICP<PointSource, PointTarget, Scalar>::finalSteps(const Indices& used) const
+{
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const int most = this->max_iterations_, first = std::min(most, kss::most_first_steps);
+  FinalSteps steps;
+  if (used.size() > 2 * kss::points_of_first_steps)
+    steps.push_back(
+        {kss::pointsAt(*input_, kss::spread(used, kss::points_of_first_steps)), first,
+         kss::no_rival});
+  const PointCloudSourceConstPtr all = kss::pointsAt(*input_, used);
+  if (first < most)
+    steps.push_back({all, first, 0.0});
+  steps.push_back({all, first < most ? most - first : most, infinite});
+  return steps;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
 std::string
 KSSICP<PointSource, PointTarget, Scalar>::settle(
-    const SourceSteps& source,
+    const FinalSteps& steps,
     const kss::PoseScorer& scorer,
     const std::optional<Eigen::Matrix4d>& guess,
     std::vector<Contender>& contenders)
@@ -30,6 +48,7 @@ try {
   if (guess)
     contenders.insert(contenders.begin(), {scorer.scored(*guess), {}, true});
   int runs = 0;
+  const Alternative* rival = nullptr;
   double best = -std::numeric_limits<double>::infinity(), closest = 0.0;
   for (Contender& contender : contenders) {
     const double score = contender.alternative.overlap.score;
@@ -40,17 +59,20 @@ try {
     if (runs > 0 && !may_be_right && !is_doubtful && !is_likelier)
       break;
     const bool is_guess = contender.is_guess;
-    contender = finalICP(source, scorer, contender.alternative, !is_guess, best);
+    contender = finalICP(steps, scorer, contender.alternative, !is_guess, rival);
     contender.is_guess = is_guess;
     ++runs;
-    best = std::max(best, kss::logOddsOf(contender.alternative));
+    if (const double odds = kss::logOddsOf(contender.alternative); odds > best) {
+      best = odds;
+      rival = &contender.alternative;
+    }
     closest = std::max(closest, contender.alternative.overlap.score);
   }
   std::stable_sort(contenders.begin(), contenders.end(), isMoreLikely);
-  contenders.front() = onSkinBeside(source, scorer, contenders.front());
+  contenders.front() = onSkinBeside(steps.back(), scorer, contenders.front());
   preferNearest(guess.value_or(Eigen::Matrix4d::Identity()), scorer, contenders);
   if (settings_.estimate_scale)
-    contenders.front() = atScaleOne(source, scorer, contenders.front());
+    contenders.front() = atScaleOne(steps.back(), scorer, contenders.front());
   return "";
 }
 catch (const kss::Stopped& stop) {
@@ -91,23 +113,22 @@ KSSICP<PointSource, PointTarget, Scalar>::preferNearest(
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 typename KSSICP<PointSource, PointTarget, Scalar>::Contender
-KSSICP<PointSource, PointTarget, Scalar>::onSkinBeside(const SourceSteps& source,
+KSSICP<PointSource, PointTarget, Scalar>::onSkinBeside(const FinalStep& step,
                                                        const kss::PoseScorer& scorer,
                                                        const Contender& contender)
 {
   const auto beside = scorer.skinBeside(contender.alternative.transformation);
   if (!beside)
     return contender;
-  Contender settled =
-      finalICP({source.back()}, scorer, scorer.scored(*beside), !contender.is_guess,
-               kss::logOddsOf(contender.alternative), true);
+  Contender settled = finalICP({step}, scorer, scorer.scored(*beside),
+                               !contender.is_guess, nullptr, true);
   settled.is_guess = contender.is_guess;
   return isMoreLikely(settled, contender) ? settled : contender;
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 typename KSSICP<PointSource, PointTarget, Scalar>::Contender
-KSSICP<PointSource, PointTarget, Scalar>::atScaleOne(const SourceSteps& source,
+KSSICP<PointSource, PointTarget, Scalar>::atScaleOne(const FinalStep& step,
                                                      const kss::PoseScorer& scorer,
                                                      const Contender& contender)
 {
@@ -121,11 +142,10 @@ KSSICP<PointSource, PointTarget, Scalar>::atScaleOne(const SourceSteps& source,
   Eigen::Matrix4d metric = pose;
   metric.topLeftCorner<3, 3>() /= scale;
   Eigen::Vector4d center;
-  compute3DCentroid(*source.back(), center);
+  compute3DCentroid(*step.points, center);
   metric.topRightCorner<3, 1>() +=
       (pose - metric).topLeftCorner<3, 3>() * center.head<3>();
-  const Contender settled = finalICP({source.back()}, scorer, scorer.scored(metric),
-                                     false, kss::logOddsOf(contender.alternative));
+  const Contender settled = finalICP({step}, scorer, scorer.scored(metric), false);
   // what is as good only where the scale found is 1 as far as it is known
   const bool is_one = std::log(scale) * std::log(scale) <=
                       9.0 * contender.run->precision.covariance(6, 6);
@@ -138,15 +158,72 @@ KSSICP<PointSource, PointTarget, Scalar>::atScaleOne(const SourceSteps& source,
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 typename KSSICP<PointSource, PointTarget, Scalar>::Contender
-KSSICP<PointSource, PointTarget, Scalar>::finalICP(const SourceSteps& source,
+KSSICP<PointSource, PointTarget, Scalar>::finalICP(const FinalSteps& steps,
                                                    const kss::PoseScorer& scorer,
                                                    const Alternative& contender,
                                                    bool estimate_scale,
-                                                   double rival,
+                                                   const Alternative* rival,
                                                    bool has_skins)
 {
-  const Eigen::Matrix4d& pose = contender.transformation;
+  ++final_runs_;
+  const kss::SurfaceStepSettings settings =
+      surfaceStepSettings(scorer, estimate_scale, has_skins);
+  Eigen::Matrix4d pose = contender.transformation;
+  bool is_pose = true;
+  int iterations = 0; // with all points
+  for (const FinalStep& step : steps) {
+    is_pose = runICP(step, scorer, settings, pose);
+    if (!is_pose)
+      break;
+    const bool are_all = step.points == steps.back().points;
+    if (are_all)
+      iterations += nr_iterations_;
+    if (are_all && nr_iterations_ < step.iterations)
+      break;
+    if (!rival)
+      continue;
+    const Alternative so_far = scorer.scored(pose);
+    if (kss::logOddsOf(so_far) < kss::logOddsOf(*rival) - step.most_behind &&
+        !kss::areEquallyGood(so_far, *rival))
+      return {so_far, {}};
+  }
+  if (!is_pose)
+    transformation_ = previous_transformation_ = Matrix4::Identity();
+  Run run = lastRun();
+  run.iterations = iterations;
+  if (is_pose) {
+    if (const auto* surfaces =
+            dynamic_cast<kss::SurfaceEstimation<PointSource, PointTarget, Scalar>*>(
+                this->transformation_estimation_.get()))
+      run.precision = surfaces->precision(
+          (pose * source_centroid_.homogeneous()).template head<3>());
+  }
 
+  // an estimation can be singular, and nearest points lead astray where noise is heavy;
+  // where samplings are regular, the right pose lays points between points
+  Alternative after;
+  if (is_pose)
+    after = scorer.scored(pose);
+  const bool loses_overlap =
+      after.overlap.score < (1.0 - kss::final_icp_loss) * contender.overlap.score;
+  if (!is_pose ||
+      (loses_overlap && kss::logOddsOf(after) < kss::logOddsOf(contender))) {
+    after = contender;
+    run.transformation = contender.transformation.template cast<Scalar>();
+    run.converged = true;
+    run.precision = {};
+  }
+  return {after, std::make_shared<Run>(run)};
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+bool
+KSSICP<PointSource, PointTarget, Scalar>::runICP(
+    const FinalStep& step,
+    const kss::PoseScorer& scorer,
+    const kss::SurfaceStepSettings& settings,
+    Eigen::Matrix4d& pose)
+{
   // ICP reads input_, all of it; it gets those points for so long
   struct Restore {
     KSSICP& icp;
@@ -160,6 +237,8 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(const SourceSteps& source,
       icp.max_iterations_ = iterations;
     }
   } restore{*this, input_, corr_dist_threshold_, this->max_iterations_};
+  input_ = step.points;
+  this->max_iterations_ = step.iterations;
   // a point farther away than a few spacings has no counterpart
   if (settings_.mode != kss::Mode::GLOBAL_GLOBAL)
     corr_dist_threshold_ =
@@ -167,86 +246,59 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(const SourceSteps& source,
   auto* const surfaces =
       dynamic_cast<kss::SurfaceEstimation<PointSource, PointTarget, Scalar>*>(
           this->transformation_estimation_.get());
-  kss::SurfaceStepSettings steps;
-  // one value: it is known, and the pose has it
-  const bool is_known = settings_.smallest_scale >= settings_.largest_scale;
-  if (estimate_scale && settings_.estimate_scale && !is_known) {
-    steps.smallest_scale = settings_.smallest_scale;
-    steps.largest_scale = settings_.largest_scale;
-  }
-  steps.rounding_error = rounding_error_;
-  steps.has_skins = has_skins;
-  steps.source_normal_error = scorer.sourceNormalError();
-  steps.target_normal_error = scorer.targetNormalError();
-  auto* const criteria =
-      dynamic_cast<kss::FinalICPCriteria<Scalar>*>(convergence_criteria_.get());
-  if (criteria) {
+  if (surfaces)
+    surfaces->start(scorer, step.points, target_->size(), pose, settings);
+  if (auto* const criteria =
+          dynamic_cast<kss::FinalICPCriteria<Scalar>*>(convergence_criteria_.get())) {
     criteria->follow(surfaces ? &surfaces->last() : nullptr);
     // how many runs, and steps, there will be shows in the end
-    criteria->tell([this](int steps) {
-      const double done = final_runs_ + steps / (steps + kss::usual_steps);
+    criteria->tell([this](int iterations) {
+      const double done =
+          final_runs_ - 1 + iterations / (iterations + kss::usual_steps);
       stages_.progress(done / (done + 1.0));
     });
   }
-  bool is_pose = true;
-  Eigen::Matrix4d from = pose;
-  for (const PointCloudSourceConstPtr& points : source) {
-    const bool are_few = points != source.back();
-    input_ = points;
-    this->max_iterations_ = are_few
-                                ? std::min(restore.iterations, kss::most_first_steps)
-                                : restore.iterations;
-    if (surfaces)
-      surfaces->start(scorer, points, target_->size(), from, steps);
-    PointCloudSource unused;
-    try {
-      Base::computeTransformation(unused, from.cast<Scalar>());
-      is_pose = kss::isSimilarity(final_transformation_.template cast<double>());
-    }
-    catch (const kss::NoPose&) {
-      is_pose = false;
-    }
-    if (!is_pose)
-      break;
-    from = final_transformation_.template cast<double>();
-    if (!are_few)
-      break;
-    const Alternative so_far = scorer.scored(from);
-    if (kss::logOddsOf(so_far) < rival - kss::no_rival) {
-      ++final_runs_;
-      return {so_far, {}};
-    }
+  PointCloudSource unused;
+  try {
+    Base::computeTransformation(unused, pose.cast<Scalar>());
   }
-  ++final_runs_;
-  if (!is_pose)
-    transformation_ = previous_transformation_ = Matrix4::Identity();
-  Run run{final_transformation_,
+  catch (const kss::NoPose&) {
+    return false;
+  }
+  pose = final_transformation_.template cast<double>();
+  return kss::isSimilarity(pose);
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+kss::SurfaceStepSettings
+KSSICP<PointSource, PointTarget, Scalar>::surfaceStepSettings(
+    const kss::PoseScorer& scorer, bool estimate_scale, bool has_skins) const
+{
+  kss::SurfaceStepSettings settings;
+  // one value: it is known, and the pose has it
+  const bool is_known = settings_.smallest_scale >= settings_.largest_scale;
+  if (estimate_scale && settings_.estimate_scale && !is_known) {
+    settings.smallest_scale = settings_.smallest_scale;
+    settings.largest_scale = settings_.largest_scale;
+  }
+  settings.rounding_error = rounding_error_;
+  settings.has_skins = has_skins;
+  settings.source_normal_error = scorer.sourceNormalError();
+  settings.target_normal_error = scorer.targetNormalError();
+  return settings;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+typename KSSICP<PointSource, PointTarget, Scalar>::Run
+KSSICP<PointSource, PointTarget, Scalar>::lastRun() const
+{
+  return {final_transformation_,
           transformation_,
           previous_transformation_,
           nr_iterations_,
           converged_,
           *correspondences_,
           {}};
-  if (is_pose && surfaces)
-    run.precision = surfaces->precision(
-        (final_transformation_.template cast<double>() * source_centroid_.homogeneous())
-            .template head<3>());
-
-  // an estimation can be singular, and nearest points lead astray where noise is heavy;
-  // where samplings are regular, the right pose lays points between points
-  Alternative after;
-  if (is_pose)
-    after = scorer.scored(final_transformation_.template cast<double>());
-  const bool loses_overlap =
-      after.overlap.score < (1.0 - kss::final_icp_loss) * contender.overlap.score;
-  if (!is_pose ||
-      (loses_overlap && kss::logOddsOf(after) < kss::logOddsOf(contender))) {
-    after = contender;
-    run.transformation = pose.cast<Scalar>();
-    run.converged = true;
-    run.precision = {};
-  }
-  return {after, std::make_shared<Run>(run)};
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>

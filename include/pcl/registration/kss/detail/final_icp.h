@@ -38,8 +38,9 @@ constexpr double final_icp_reach = 4.0;
  * their standard error. */
 constexpr std::size_t points_of_first_steps = 2000;
 
-/** \brief So many steps with few points: a right pose takes a dozen, a wrong one, with
- * nothing to settle on, hundreds. */
+/** \brief So many steps with few points, and with all of them before a pose is compared
+ * with its rival: a right one takes a dozen, a wrong one, with nothing to settle on,
+ * hundreds. */
 constexpr int most_first_steps = 40;
 
 /** \brief Odds of a hundred to one, as logarithm, between two poses: what the worse one
