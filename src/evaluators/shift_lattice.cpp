@@ -50,7 +50,6 @@ ShiftLattice::ShiftLattice(const Points& cloud,
     }
     width_ = every_ * (counts - 1);
     inner_ = toIndices(Eigen::Array3f(((extent + 2.0f * limit) / step_).ceil()), most);
-    inner_[2] = roundedUp<int>(inner_[2], vector);
     // all centres fit beside the inner nodes: what falls there lies beyond the limit
     all_ = inner_ + 2 * (width_ + 1);
     size_ = (all_ + every_ - 1) / every_;
@@ -73,29 +72,61 @@ ShiftLattice::ShiftLattice(const Points& cloud,
   rows_.resize(roundedUp<std::size_t>(rows_.size(), rows_at_once), rows_.back());
 }
 
+std::array<std::vector<std::size_t>, 3>
+ShiftLattice::placesAlongAxes() const
+{
+  const Eigen::Array<std::size_t, 3, 1> every = every_.cast<std::size_t>(),
+                                        size = size_.cast<std::size_t>();
+  const std::size_t array = size.prod();
+  const std::size_t arrays[] = {array * every[1] * every[2], array * every[2], array};
+  const std::size_t strides[] = {size[1] * size[2], size[2], 1};
+  std::array<std::vector<std::size_t>, 3> places;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < inner_[axis]; ++i) {
+      const std::size_t at = i + width_[axis] + 1;
+      places[axis].push_back(at % every[axis] * arrays[axis] +
+                             at / every[axis] * strides[axis]);
+    }
+  return places;
+}
+
 std::vector<std::uint8_t>
-ShiftLattice::bytes(const std::vector<float>& distances) const
+ShiftLattice::field(const Points& cloud) const
 {
   constexpr float most = 255.0f;
   // the last row may reach beyond the end
-  const std::size_t array_size = numberOfCells(size_);
-  std::vector<std::uint8_t> bytes(numberOfCells(every_) * array_size + lanes,
+  std::vector<std::uint8_t> field(numberOfCells(every_) * numberOfCells(size_) + lanes,
                                   static_cast<std::uint8_t>(most));
-  const Eigen::Array3i shift = width_ + 1;
-  std::size_t node = 0;
-  for (int x = 0; x < inner_[0]; ++x)
-    for (int y = 0; y < inner_[1]; ++y)
-      for (int z = 0; z < inner_[2]; ++z, ++node) {
-        const Eigen::Array3i at = shift + Eigen::Array3i(x, y, z);
-        const Eigen::Array3i part = at / every_;
-        const Eigen::Array3i rest = at - part * every_;
-        const std::size_t array = (rest[0] * every_[1] + rest[1]) * every_[2] + rest[2];
-        bytes[array * array_size + (part[0] * size_[1] + part[1]) * size_[2] +
-              part[2]] =
-            static_cast<std::uint8_t>(
-                std::lround(most / limit_ * std::min(distances[node], limit_)));
+  const auto places = placesAlongAxes();
+  const Points points = turned(cloud);
+  const float steps = most / limit_, squared_limit = limit_ * limit_;
+  const Eigen::Array3i end = inner_ - 1;
+  // nodes learn of the points that are nearer than the limit, few of all
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const Eigen::Array3f point = points.col(i).array() - lower_;
+    const auto first =
+                   toIndices(Eigen::Array3f(((point - limit_) / step_).ceil()), end),
+               last = toIndices(Eigen::Array3f((point + limit_) / step_), end);
+    for (int x = first[0]; x <= last[0]; ++x)
+      for (int y = first[1]; y <= last[1]; ++y) {
+        const float dx = x * step_[0] - point[0], dy = y * step_[1] - point[1];
+        const float off_line = dx * dx + dy * dy;
+        if (off_line >= squared_limit)
+          continue;
+        std::uint8_t* const row = &field[places[0][x] + places[1][y]];
+        for (int z = first[2]; z <= last[2]; ++z) {
+          const float dz = z * step_[2] - point[2];
+          const float squared = off_line + dz * dz;
+          if (squared >= squared_limit)
+            continue;
+          const auto byte =
+              static_cast<std::uint8_t>(steps * std::sqrt(squared) + 0.5f);
+          std::uint8_t& node = row[places[2][z]];
+          node = std::min(node, byte);
+        }
       }
-  return bytes;
+  }
+  return field;
 }
 
 Placement

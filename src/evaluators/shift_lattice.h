@@ -9,6 +9,7 @@
 #include "candidates/centers.h"
 #include "geometry/placement.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -58,14 +59,12 @@ public:
     return step_;
   }
 
-  /** \brief How many there are, along z a multiple of \ref vector. */
+  /** \brief How many there are. */
   const Eigen::Array3i&
   inner() const
   {
     return inner_;
   }
-
-  static constexpr int vector = 32;
 
   /** \brief Centres of a row, along z: their sums are a vector. */
   static constexpr int lanes = 16;
@@ -73,18 +72,11 @@ public:
   /** \brief How many rows are summed at once. */
   static constexpr int rows_at_once = 8;
 
-  /** \brief The cloud in the frame of the axes. */
-  Points
-  turned(const Points& cloud) const
-  {
-    return axes_.transpose() * cloud;
-  }
-
-  /** \brief The whole field in bytes, the limit as 255.
-   * \param[in] distances of the inner nodes, z varies fastest
+  /** \brief The distances of all nodes to their nearest points, the limit as 255.
+   * \param[in] cloud what the distances are to
    */
   std::vector<std::uint8_t>
-  bytes(const std::vector<float>& distances) const;
+  field(const Points& cloud) const;
 
   /** \brief From a matrix that turns and scales points to the one that takes them to
    * nodes under the first centre. */
@@ -128,6 +120,17 @@ public:
   }
 
 private:
+  /** The cloud in the frame of the axes. */
+  Points
+  turned(const Points& cloud) const
+  {
+    return axes_.transpose() * cloud;
+  }
+
+  /** Where inner nodes are stored, as a sum over the axes. */
+  std::array<std::vector<std::size_t>, 3>
+  placesAlongAxes() const;
+
   Eigen::Matrix3f axes_;
   Eigen::Array3f lower_, step_;
   Eigen::Array3i every_, width_, inner_, all_, size_;

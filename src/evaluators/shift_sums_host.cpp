@@ -6,12 +6,9 @@
 
 #include "evaluators/shift_sums.h"
 #include "support/parallel.h"
-#include "support/wide_vectors.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <limits>
 
 namespace pcl {
 namespace kss {
@@ -19,30 +16,6 @@ namespace {
 
 constexpr int lanes = ShiftLattice::lanes;
 constexpr int rows_at_once = ShiftLattice::rows_at_once;
-
-/** The distances of a row of nodes to their nearest points. */
-PCL_KSS_WIDE void
-nodeDistances(const Points& points, Eigen::Array3f first, float step, int n, float* row)
-{
-  constexpr int vector = ShiftLattice::vector;
-  for (int begin = 0; begin < n; begin += vector) {
-    float nearest[vector];
-    std::fill(nearest, nearest + vector, std::numeric_limits<float>::max());
-    for (Eigen::Index i = 0; i < points.cols(); ++i) {
-      const float dx = first[0] - points(0, i);
-      const float dy = first[1] - points(1, i);
-      const float off_line = dx * dx + dy * dy;
-      const float z = first[2] + begin * step - points(2, i);
-      for (int lane = 0; lane < vector; ++lane) {
-        const float dz = z + lane * step;
-        const float squared = off_line + dz * dz;
-        nearest[lane] = squared < nearest[lane] ? squared : nearest[lane];
-      }
-    }
-    for (int lane = 0; lane < vector; ++lane)
-      row[begin + lane] = std::sqrt(nearest[lane]);
-  }
-}
 
 /** The sums of a row's bytes, two to a word: those of whole words, modulo their size,
  * less those of their upper bytes are those of the lower ones. */
@@ -107,15 +80,7 @@ public:
   void
   setField(const Points& cloud, const ShiftLattice& lattice) override
   {
-    const Points points = lattice.turned(cloud);
-    const Eigen::Array3i& inner = lattice.inner();
-    std::vector<float> distances(numberOfCells(inner));
-    inParallel(inner[0] * inner[1], threads_, 32, [&](std::ptrdiff_t row) {
-      const Eigen::Array3f node(row / inner[1], row % inner[1], 0.0f);
-      nodeDistances(points, lattice.lower() + node * lattice.step(), lattice.step()[2],
-                    inner[2], distances.data() + row * inner[2]);
-    });
-    field_ = lattice.bytes(distances);
+    field_ = lattice.field(cloud);
     rows_ = lattice.rows();
     last_ = lattice.last();
     every_ = lattice.every();

@@ -21,24 +21,7 @@ public:
   void
   setField(const Points& cloud, const ShiftLattice& lattice)
   {
-    // the kernel's nodes vary fastest along x, the lattice's along z
-    const cl::Buffer points =
-        homogeneousCloud(*program_, lattice.turned(cloud).colwise().reverse());
-    const Eigen::Array3f lower = lattice.lower().reverse();
-    const Eigen::Array3f step = lattice.step().reverse();
-    const Eigen::Array3i inner = lattice.inner().reverse();
-    std::vector<float> distances(inner.cast<std::size_t>().prod());
-    const cl::Buffer nodes = program_->allocate<float>(distances.size());
-    fields_.run(program_->limits(), static_cast<std::size_t>(inner[2]) * inner[1],
-                sizeof(float) * inner[0], static_cast<double>(cloud.cols()) * inner[0],
-                [&](std::size_t begin, std::size_t end) {
-                  program_->run("node_distances", end - begin,
-                                static_cast<cl_uint>(begin), points,
-                                static_cast<cl_uint>(cloud.cols()), toFloat4(lower),
-                                toFloat4(step), toInt4(inner), nodes);
-                });
-    program_->download(nodes, distances.data(), distances.size());
-    const auto bytes = lattice.bytes(distances);
+    const auto bytes = lattice.field(cloud);
     field_ = program_->upload(bytes.data(), bytes.size());
     rows_ = program_->upload(lattice.rows().data(), lattice.rows().size());
     number_of_rows_ = static_cast<cl_uint>(lattice.rows().size());
@@ -77,7 +60,7 @@ public:
 
 private:
   std::shared_ptr<OpenCLProgram> program_;
-  Dispatches fields_, sums_;
+  Dispatches sums_;
   cl::Buffer field_, rows_;
   cl_uint number_of_rows_ = 0;
   cl_int4 last_, every_, size_;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl {
 namespace kss {
@@ -26,20 +27,22 @@ cellFor(const Points& points)
 } // namespace
 
 NearestPoints::NearestPoints(const Points& points, unsigned int threads)
-: NearestPoints(Surface{points, neighbourhoodsOf(points, neighbours, threads)})
+: NearestPoints(points, neighbourhoodsOf(points, neighbours, threads))
 {
 }
 
-NearestPoints::NearestPoints(const Surface& surface)
-: points_(surface.points)
+NearestPoints::NearestPoints(Points points,
+                             const Neighbourhoods& neighbourhoods,
+                             float unit)
+: points_(std::move(points))
 , around_(points_.cols())
-, spacing_(spacingOf(surface.neighbourhoods))
+, spacing_(spacingOf(neighbourhoods) / unit)
 , usual_spacing_(median(spacing_))
 , middle_(points_.rowwise().mean())
 , radius_(rootMeanSquareRadius(points_, middle_))
 , field_(points_, cellFor(points_), 2.0f * cellFor(points_))
 {
-  const Eigen::MatrixXi& indices = surface.neighbourhoods.indices;
+  const Eigen::MatrixXi& indices = neighbourhoods.indices;
   for (Eigen::Index i = 0; i < points_.cols(); ++i)
     for (int n = 0; n < neighbours; ++n) {
       const int other = n < indices.rows() ? indices(n, i) : static_cast<int>(i);

@@ -29,8 +29,11 @@ public:
    */
   NearestPoints(const Points& points, unsigned int threads);
 
-  /** \param[in] surface points, at least one, that know their neighbours */
-  explicit NearestPoints(const Surface& surface);
+  /** \param[in] points at least one
+   * \param[in] neighbourhoods of the points
+   * \param[in] unit of the points, in that of the neighbourhoods' distances
+   */
+  NearestPoints(Points points, const Neighbourhoods& neighbourhoods, float unit = 1.0f);
 
   /** \brief A point near a position: the one nearest to the centre of its cell.
    * \param[in] position anywhere

@@ -168,6 +168,8 @@ withoutStrayPoints(const Points& cloud, unsigned int threads)
     return rest;
   for (int look = 0; look < 2; ++look) {
     const auto kept = notStray(rest.points, rest.neighbourhoods, threads);
+    if (static_cast<Eigen::Index>(kept.size()) == rest.points.cols())
+      break;
     const bool few = kept.size() > 0.998 * rest.points.cols();
     if (kept.size() <= std::max<double>(small, 0.3 * cloud.cols()))
       return {cloud, neighbourhoodsOf(cloud, flat_neighbours, threads)};

@@ -11,6 +11,7 @@
 #include "support/parallel.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl {
 namespace kss {
@@ -41,12 +42,10 @@ inFrameOf(const PreShape& simplified,
 {
   const Eigen::Vector3f center = (simplified.center - origin).cast<float>();
   const auto size = static_cast<float>(simplified.size);
-  const Surface surface{
-      (cloud.points.colwise() - center) / size,
-      {cloud.neighbourhoods.indices, cloud.neighbourhoods.distances / size}};
-  if (before && areEqual(before->points(), surface.points))
+  Points points = (cloud.points.colwise() - center) / size;
+  if (before && areEqual(before->points(), points))
     return before;
-  return std::make_shared<NearestPoints>(surface);
+  return std::make_shared<NearestPoints>(std::move(points), cloud.neighbourhoods, size);
 }
 
 /** A prepared cloud in pre-shape space.

@@ -124,8 +124,7 @@ TEST(NearestPoints, AreTheSameForPointsThatKnowTheirNeighbours)
   const Points points = sampled(creature(), 1000, 28);
   const NearestPoints reference(points, 1);
   for (const int neighbours : {12, 16, 30}) {
-    const NearestPoints search(
-        Surface{points, neighbourhoodsOf(points, neighbours, 1)});
+    const NearestPoints search(points, neighbourhoodsOf(points, neighbours, 1));
     EXPECT_EQ(reference.spacing(), search.spacing());
     for (int i = 0; i < 500; ++i) {
       const Eigen::Vector3f position =

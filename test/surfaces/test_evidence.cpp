@@ -19,11 +19,11 @@ using namespace pcl::kss;
 OrientedPoints
 surfaceOf(const Points& points)
 {
-  const Surface surface{points, neighbourhoodsOf(points, 12, 1)};
+  const Neighbourhoods neighbourhoods = neighbourhoodsOf(points, 12, 1);
   OrientedPoints oriented;
-  oriented.points = std::make_shared<NearestPoints>(surface);
-  oriented.planes.normals = normalsOf(points, surface.neighbourhoods, 1);
-  measureTrust(points, surface.neighbourhoods, 1, oriented.planes);
+  oriented.points = std::make_shared<NearestPoints>(points, neighbourhoods);
+  oriented.planes.normals = normalsOf(points, neighbourhoods, 1);
+  measureTrust(points, neighbourhoods, 1, oriented.planes);
   return oriented;
 }
 
