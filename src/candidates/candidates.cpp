@@ -75,18 +75,9 @@ Candidates::placements(const std::vector<std::size_t>& indices) const
   return found;
 }
 
+template <typename Energies>
 std::vector<std::size_t>
-Candidates::localMinima(const std::vector<float>& energies,
-                        unsigned int kernel,
-                        double distinct_angle) const
-{
-  std::vector<std::size_t> all(energies.size());
-  std::iota(all.begin(), all.end(), 0);
-  return localMinima(energies, all, kernel, distinct_angle);
-}
-
-std::vector<std::size_t>
-Candidates::localMinima(const std::vector<float>& energies,
+Candidates::localMinima(const Energies& energies,
                         const std::vector<std::size_t>& among,
                         unsigned int kernel,
                         double distinct_angle) const
@@ -117,6 +108,24 @@ Candidates::localMinima(const std::vector<float>& energies,
   }
   std::sort(minima.begin(), minima.end(), lower);
   return distinct(minima, distinct_angle);
+}
+
+std::vector<std::size_t>
+Candidates::localMinima(const std::vector<float>& energies,
+                        unsigned int kernel,
+                        double distinct_angle) const
+{
+  std::vector<std::size_t> all(energies.size());
+  std::iota(all.begin(), all.end(), 0);
+  return localMinima(energies, all, kernel, distinct_angle);
+}
+
+std::vector<std::size_t>
+Candidates::localMinima(const SomeEnergies& energies,
+                        unsigned int kernel,
+                        double distinct_angle) const
+{
+  return localMinima(energies, energies.candidates(), kernel, distinct_angle);
 }
 
 std::vector<std::size_t>

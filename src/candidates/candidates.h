@@ -6,6 +6,7 @@
 
 #include "candidates/centers.h"
 #include "candidates/rotations.h"
+#include "candidates/some_energies.h"
 #include "geometry/similarity.h"
 
 #include <memory>
@@ -97,20 +98,18 @@ public:
    * by less than \a distinct_angle (the Euler grid holds most rotations twice) one is
    * kept.
    * \param[in] energies an energy per candidate
-   * \param[in] among indices of those that may be minima
    * \param[in] kernel edge of the kernel of rotations, in steps
    * \param[in] distinct_angle radians
    * \return indices of candidates; never empty
    */
   std::vector<std::size_t>
   localMinima(const std::vector<float>& energies,
-              const std::vector<std::size_t>& among,
               unsigned int kernel,
               double distinct_angle) const;
 
-  /** \brief The same among all candidates. */
+  /** \brief The same among those whose energies are known. */
   std::vector<std::size_t>
-  localMinima(const std::vector<float>& energies,
+  localMinima(const SomeEnergies& energies,
               unsigned int kernel,
               double distinct_angle) const;
 
@@ -129,6 +128,13 @@ private:
 
   Parts
   partsOf(std::size_t index) const;
+
+  template <typename Energies>
+  std::vector<std::size_t>
+  localMinima(const Energies& energies,
+              const std::vector<std::size_t>& among,
+              unsigned int kernel,
+              double distinct_angle) const;
 
   std::shared_ptr<const CandidateRotations> rotations_;
   std::vector<double> scales_;

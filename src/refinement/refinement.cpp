@@ -309,12 +309,11 @@ Refinement::refine(const Similarity& initial, const Effort& effort) const
     const double estimate = scales_.smallest < scales_.largest
                                 ? scales_.clamp(pairs.symmetricScale())
                                 : pose.scale;
-    Similarity next = pairs.similarity(estimate);
-    if (effort.on_planes) {
-      // about the middle of the pairs, which the scale leaves where it is
-      next = pulledToPlanes(pairs.scaled(pose, estimate), from_source, forth,
-                            from_target, back, reach);
-    }
+    // planes pull about the middle of the pairs, which the scale leaves where it is
+    const Similarity next =
+        effort.on_planes ? pulledToPlanes(pairs.scaled(pose, estimate), from_source,
+                                          forth, from_target, back, reach)
+                         : pairs.similarity(estimate);
     if (!next.isUsable())
       break;
     const bool settled = iteration > falling && largestChange(pose, next) < 1e-5;

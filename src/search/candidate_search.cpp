@@ -135,14 +135,13 @@ CandidateSearch::screened(const Sweep& sweep,
   const auto found = screening_->lowest(sweep.candidates, grain.screened);
   const auto distances = evaluator_->evaluate(sweep.candidates.placements(found));
   std::vector<Minimum> minima;
-  std::vector<float> energies(sweep.candidates.size(),
-                              std::numeric_limits<float>::infinity());
+  SomeEnergies energies(found, sweep.candidates.size());
   for (const Weights& weights : sweep.energies) {
     for (std::size_t i = 0; i < found.size(); ++i)
-      energies[found[i]] = energyOf(distances[i], weights, settings_.energy);
+      energies.at(i) = energyOf(distances[i], weights, settings_.energy);
     DistinctPoses distinct(metric, same_pose);
     for (const std::size_t i : sweep.candidates.localMinima(
-             energies, found, settings_.local_minimum_kernel, same_pose)) {
+             energies, settings_.local_minimum_kernel, same_pose)) {
       const Similarity pose = sweep.candidates.pose(i);
       if (distinct.size() < grain.minima && distinct.take(pose))
         minima.push_back({pose, energies[i], weights});

@@ -16,14 +16,14 @@ namespace kss {
 namespace {
 
 /** The lowest energies' limit: no more than so many candidates lie below it, unless the
- * very lowest are more. */
+ * very lowest are more.
+ * \param[in] histogram how many candidates have each energy */
 std::uint16_t
-limitOfLowest(const std::vector<std::uint16_t>& energies, std::size_t many)
+limitOfLowest(const std::vector<std::size_t>& histogram, std::size_t many)
 {
-  std::vector<std::size_t> histogram(1 << 16);
-  for (const std::uint16_t energy : energies)
-    ++histogram[energy];
-  std::uint16_t limit = *std::min_element(energies.begin(), energies.end());
+  std::uint16_t limit = 0;
+  while (histogram[limit] == 0)
+    ++limit;
   for (std::size_t below = histogram[limit++];
        limit < 0xffff && below + histogram[limit] <= many;)
     below += histogram[limit++];
@@ -106,15 +106,15 @@ Screening::lowest(const Candidates& candidates, std::size_t many)
       placements.push_back(lattice.toNodes(linear.cast<float>()));
     }
     const std::vector<std::uint16_t> sums = fixed.sums->sums(probes, placements);
-    std::vector<std::uint16_t> energies(rotations.size() * centers);
-    for (std::size_t r = 0, i = 0; r < rotations.size(); ++r)
+    std::vector<std::size_t> histogram(1 << 16);
+    for (std::size_t r = 0; r < rotations.size(); ++r)
       for (const std::uint32_t place : places)
-        energies[i++] = sums[r * block + place];
-
-    const std::uint16_t cut = limitOfLowest(energies, many / scales);
-    for (std::size_t i = 0; i < energies.size(); ++i)
-      if (energies[i] < cut)
-        found.push_back((i / centers * scales + scale) * centers + i % centers);
+        ++histogram[sums[r * block + place]];
+    const std::uint16_t cut = limitOfLowest(histogram, many / scales);
+    for (std::size_t r = 0; r < rotations.size(); ++r)
+      for (std::size_t c = 0; c < centers; ++c)
+        if (sums[r * block + places[c]] < cut)
+          found.push_back((r * scales + scale) * centers + c);
   }
   std::sort(found.begin(), found.end());
   return found;

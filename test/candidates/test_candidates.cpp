@@ -324,21 +324,25 @@ TEST(Candidates, AreMinimaAmongSomeAsAmongAll)
     if (energies[i] < 0.3f)
       some.push_back(i);
   }
-  EXPECT_EQ(all, candidates.localMinima(energies, every, 3, distinct_angle));
-  // those that were not asked for are missing, and are neighbours all the same
+  const auto known = [&](const std::vector<std::size_t>& among) {
+    SomeEnergies known(among, energies.size());
+    for (std::size_t i = 0; i < among.size(); ++i)
+      known.at(i) = energies[among[i]];
+    return known;
+  };
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    EXPECT_EQ(energies[i] < 0.3f ? energies[i] : std::numeric_limits<float>::infinity(),
+              known(some)[i]);
+  EXPECT_EQ(all, candidates.localMinima(known(every), 3, distinct_angle));
+  // unknown energies are no lower ones
   std::vector<std::size_t> expected;
   for (const std::size_t i : all)
     if (energies[i] < 0.3f)
       expected.push_back(i);
   EXPECT_GT(expected.size(), 1u);
-  EXPECT_EQ(expected, candidates.localMinima(energies, some, 3, distinct_angle));
+  EXPECT_EQ(expected, candidates.localMinima(known(some), 3, distinct_angle));
   EXPECT_EQ((std::vector<std::size_t>{all[1]}),
-            candidates.localMinima(energies, {all[1]}, 3, distinct_angle));
-  // unknown energies are no lower ones
-  std::vector<float> known(energies.size(), std::numeric_limits<float>::infinity());
-  for (const std::size_t i : some)
-    known[i] = energies[i];
-  EXPECT_EQ(expected, candidates.localMinima(known, some, 3, distinct_angle));
+            candidates.localMinima(known({all[1]}), 3, distinct_angle));
 }
 
 TEST(Candidates, TellWhatTheyAreMadeOf)
