@@ -4,6 +4,8 @@
 
 #include "refinement/plane_pulls.h"
 
+#include "support/wide_vectors.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
@@ -16,21 +18,130 @@ namespace {
 /** Turns that the linear equations are good for, in radians. */
 constexpr double largest_turn = 0.5;
 
+/** Coordinates apart. */
+struct Columns {
+  const float *x, *y, *z;
+};
+
+/** Add up what correspondences pull by.
+ * \param[in,out] along see PlanePulls
+ * \param[in,out] towards
+ */
+PCL_KSS_WIDE void
+addUp(const Columns& placed,
+      const Columns& target,
+      const Columns& normals,
+      const float* weights,
+      Eigen::Index n,
+      double* along,
+      double* towards)
+{
+  float a[27][lanes] = {}, t[16][lanes] = {};
+  for (Eigen::Index i = 0; i < n; i += lanes)
+    for (int l = 0; l < lanes; ++l) {
+      const float w = weights[i + l];
+      const float px = placed.x[i + l], py = placed.y[i + l], pz = placed.z[i + l];
+      const float nx = normals.x[i + l], ny = normals.y[i + l], nz = normals.z[i + l];
+      const float dx = px - target.x[i + l], dy = py - target.y[i + l],
+                  dz = pz - target.z[i + l];
+      // the row of the equations: turn and normal
+      const float rx = py * nz - pz * ny, ry = pz * nx - px * nz,
+                  rz = px * ny - py * nx;
+      const float wrx = w * rx, wry = w * ry, wrz = w * rz;
+      const float wnx = w * nx, wny = w * ny, wnz = w * nz;
+      const float off = nx * dx + ny * dy + nz * dz;
+      a[0][l] += wrx * rx;
+      a[1][l] += wry * rx;
+      a[2][l] += wry * ry;
+      a[3][l] += wrz * rx;
+      a[4][l] += wrz * ry;
+      a[5][l] += wrz * rz;
+      a[6][l] += wnx * rx;
+      a[7][l] += wnx * ry;
+      a[8][l] += wnx * rz;
+      a[9][l] += wnx * nx;
+      a[10][l] += wny * rx;
+      a[11][l] += wny * ry;
+      a[12][l] += wny * rz;
+      a[13][l] += wny * nx;
+      a[14][l] += wny * ny;
+      a[15][l] += wnz * rx;
+      a[16][l] += wnz * ry;
+      a[17][l] += wnz * rz;
+      a[18][l] += wnz * nx;
+      a[19][l] += wnz * ny;
+      a[20][l] += wnz * nz;
+      a[21][l] += wrx * off;
+      a[22][l] += wry * off;
+      a[23][l] += wrz * off;
+      a[24][l] += wnx * off;
+      a[25][l] += wny * off;
+      a[26][l] += wnz * off;
+      const float wx = w * px, wy = w * py, wz = w * pz;
+      t[0][l] += w;
+      t[1][l] += wx;
+      t[2][l] += wy;
+      t[3][l] += wz;
+      t[4][l] += wx * px;
+      t[5][l] += wx * py;
+      t[6][l] += wx * pz;
+      t[7][l] += wy * py;
+      t[8][l] += wy * pz;
+      t[9][l] += wz * pz;
+      t[10][l] += wy * dz - wz * dy;
+      t[11][l] += wz * dx - wx * dz;
+      t[12][l] += wx * dy - wy * dx;
+      t[13][l] += w * dx;
+      t[14][l] += w * dy;
+      t[15][l] += w * dz;
+    }
+  for (int l = 0; l < lanes; ++l) {
+    for (int s = 0; s < 27; ++s)
+      along[s] += a[s][l];
+    for (int s = 0; s < 16; ++s)
+      towards[s] += t[s][l];
+  }
+}
+
+Columns
+columnsOf(const PlanePulls::Rows& rows)
+{
+  return {rows.row(0).data(), rows.row(1).data(), rows.row(2).data()};
+}
+
 } // namespace
+
+void
+PlanePulls::add(const Rows& placed,
+                const Rows& target,
+                const Rows& normals,
+                const Eigen::RowVectorXf& weights)
+{
+  addUp(columnsOf(placed), columnsOf(target), columnsOf(normals), weights.data(),
+        weights.size(), along_, towards_);
+}
 
 Similarity
 PlanePulls::moved(const Similarity& pose) const
 {
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  Matrix6 along;
+  for (int i = 0, s = 0; i < unknowns; ++i)
+    for (int j = 0; j <= i; ++j, ++s)
+      along(i, j) = along(j, i) = along_[s];
   // what pulls towards points: sums of F'F, F = [-[x]_x, I]
-  Eigen::Matrix3f cross;
-  cross << 0.0f, -places_.z(), places_.y(), places_.z(), 0.0f, -places_.x(),
-      -places_.y(), places_.x(), 0.0f;
-  Eigen::Matrix<float, 6, 6> along;
-  along << products_.trace() * Eigen::Matrix3f::Identity() - products_, cross,
-      cross.transpose(), weight_ * Eigen::Matrix3f::Identity();
-  const Eigen::Matrix<double, 6, 6> matrix = (matrix_ + epsilon * along).cast<double>();
-  const Eigen::Matrix<double, 6, 1> motion =
-      -matrix.ldlt().solve(gradient_.cast<double>());
+  const double* const t = towards_;
+  Eigen::Matrix3d products, cross;
+  products << t[4], t[5], t[6], t[5], t[7], t[8], t[6], t[8], t[9];
+  cross << 0.0, -t[3], t[2], t[3], 0.0, -t[1], -t[2], t[1], 0.0;
+  Matrix6 towards;
+  towards << products.trace() * Eigen::Matrix3d::Identity() - products, cross,
+      cross.transpose(), t[0] * Eigen::Matrix3d::Identity();
+  const Matrix6 matrix = (1.0 - epsilon) * along + epsilon * towards;
+  const Vector6 gradient = (1.0 - epsilon) * Eigen::Map<const Vector6>(along_ + half) +
+                           epsilon * Eigen::Map<const Vector6>(towards_ + 10);
+  const Vector6 motion = -matrix.ldlt().solve(gradient);
   if (!motion.allFinite())
     return pose;
   Similarity moved = pose;

@@ -22,33 +22,19 @@ namespace kss {
  */
 class PlanePulls {
 public:
-  /** \param[in] placed a placed point of the source
-   * \param[in] target what it is pulled to
-   * \param[in] normal unit normal of the plane, where it is placed
-   * \param[in] weight
+  /** \brief A row for each coordinate. */
+  using Rows = Eigen::Matrix<float, 3, Eigen::Dynamic, Eigen::RowMajor>;
+
+  /** \param[in] placed placed points of the source, filled up to whole vectors
+   * \param[in] target what they are pulled to
+   * \param[in] normals unit normals of the planes, where they are placed
+   * \param[in] weights 0 for what fills up
    */
   void
-  add(const Eigen::Vector3f& placed,
-      const Eigen::Vector3f& target,
-      const Eigen::Vector3f& normal,
-      float weight)
-  {
-    const Eigen::Vector3f off = placed - target, turn = placed.cross(normal);
-    const float squeezed = (1.0f - epsilon) * weight;
-    Eigen::Matrix<float, 6, 1> row;
-    row << turn.x(), turn.y(), turn.z(), normal.x(), normal.y(), normal.z();
-    matrix_.noalias() += squeezed * row * row.transpose();
-    const Eigen::Vector3f moment = placed.cross(off);
-    gradient_ += squeezed * normal.dot(off) * row;
-    const float pull = epsilon * weight;
-    for (int axis = 0; axis < 3; ++axis) {
-      gradient_[axis] += pull * moment[axis];
-      gradient_[3 + axis] += pull * off[axis];
-    }
-    weight_ += weight;
-    places_ += weight * placed;
-    products_.noalias() += weight * placed * placed.transpose();
-  }
+  add(const Rows& placed,
+      const Rows& target,
+      const Rows& normals,
+      const Eigen::RowVectorXf& weights);
 
   /** \brief A pose moved as they ask for; as it is where they say nothing. */
   Similarity
@@ -59,11 +45,14 @@ private:
    * hundred of a cloud decide where the rest is free to slide. */
   static constexpr float epsilon = 0.01f;
 
-  Eigen::Matrix<float, 6, 6> matrix_ = Eigen::Matrix<float, 6, 6>::Zero();
-  Eigen::Matrix<float, 6, 1> gradient_ = Eigen::Matrix<float, 6, 1>::Zero();
-  float weight_ = 0.0f;
-  Eigen::Vector3f places_ = Eigen::Vector3f::Zero();
-  Eigen::Matrix3f products_ = Eigen::Matrix3f::Zero();
+  /** Along normals: the lower half of the matrix, row by row, and what it is to be
+   * solved for; turns first. */
+  static constexpr int half = 21, unknowns = 6;
+
+  double along_[half + unknowns] = {};
+  /** Towards points: weights, times places, their products (xx, xy, xz, yy, yz, zz),
+   * moments and ways. */
+  double towards_[1 + 3 + 6 + 3 + 3] = {};
 };
 
 } // namespace kss

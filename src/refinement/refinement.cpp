@@ -6,6 +6,7 @@
 
 #include "geometry/pre_shape.h"
 #include "refinement/plane_pulls.h"
+#include "support/rounded_up.h"
 #include "support/wide_vectors.h"
 
 #include <Eigen/Geometry>
@@ -22,13 +23,11 @@ namespace {
 
 /** Correspondences, coordinates apart, filled up to whole vectors. */
 struct Pairs {
-  using Rows = Eigen::Matrix<float, 3, Eigen::Dynamic, Eigen::RowMajor>;
+  using Rows = PlanePulls::Rows;
 
   Rows source, target;
   Eigen::RowVectorXf squared; // distances; infinite: there is no pair
 };
-
-constexpr Eigen::Index lanes = 8;
 
 /** Sums of a pair that a similarity follows from. */
 enum Sum {
@@ -52,7 +51,7 @@ addUp(const float* const source[3],
 {
   float sum[SUMS][lanes] = {};
   for (Eigen::Index i = 0; i < n; i += lanes)
-    for (Eigen::Index l = 0; l < lanes; ++l) {
+    for (int l = 0; l < lanes; ++l) {
       const float share = squared_reach / (squared_reach + squared[i + l]);
       const float w = share * share;
       const float sx = source[0][i + l], sy = source[1][i + l], sz = source[2][i + l];
@@ -78,7 +77,7 @@ addUp(const float* const source[3],
       sum[TARGET_SQUARED][l] += w * (tx * tx + ty * ty + tz * tz);
     }
   for (int s = 0; s < SUMS; ++s)
-    for (Eigen::Index l = 0; l < lanes; ++l)
+    for (int l = 0; l < lanes; ++l)
       sums[s] += sum[s][l];
 }
 
@@ -168,7 +167,7 @@ public:
   , other_(other)
   {
     const auto size = static_cast<Eigen::Index>(found_.size());
-    const Eigen::Index filled = (size + lanes - 1) / lanes * lanes;
+    const Eigen::Index filled = roundedUp<Eigen::Index>(size, lanes);
     own.setZero(3, filled);
     own.leftCols(size) = probes.leftCols(size);
     other.setZero(3, filled);
@@ -191,18 +190,14 @@ public:
     }
   }
 
-  /** How many there are. */
-  Eigen::Index
-  size() const
+  /** The normals of the other cloud at the counterparts, filled up as these are. */
+  Pairs::Rows
+  normals() const
   {
-    return static_cast<Eigen::Index>(matches_.size());
-  }
-
-  /** The normal of the other cloud at a counterpart. */
-  Eigen::Vector3f
-  normal(Eigen::Index i) const
-  {
-    return others_.normals.col(matches_[i]);
+    Pairs::Rows normals = Pairs::Rows::Zero(3, pairs_.squared.size());
+    for (std::size_t i = 0; i < matches_.size(); ++i)
+      normals.col(static_cast<Eigen::Index>(i)) = others_.normals.col(matches_[i]);
+    return normals;
   }
 
 private:
@@ -250,16 +245,15 @@ pulledToPlanes(const Similarity& pose,
   const Eigen::Affine3f placement = pose.affine();
   const Eigen::Matrix3f rotation = pose.rotation.cast<float>();
   const auto squared_reach = static_cast<float>(reach * reach);
-  const auto add = [&](const Pairs& pairs, Eigen::Index i,
-                       const Eigen::Vector3f& normal) {
-    const float share = squared_reach / (squared_reach + pairs.squared[i]);
-    pulls.add(placement * pairs.source.col(i), pairs.target.col(i), normal,
-              share * share);
+  const auto add = [&](const Pairs& pairs, const Pairs::Rows& normals) {
+    const Pairs::Rows placed = placement.linear().lazyProduct(pairs.source).colwise() +
+                               placement.translation();
+    const Eigen::RowVectorXf weights =
+        (squared_reach / (squared_reach + pairs.squared.array())).square();
+    pulls.add(placed, pairs.target, normals, weights);
   };
-  for (Eigen::Index i = 0; i < forth.size(); ++i)
-    add(from_source, i, forth.normal(i));
-  for (Eigen::Index i = 0; i < back.size(); ++i)
-    add(from_target, i, rotation * back.normal(i));
+  add(from_source, forth.normals());
+  add(from_target, rotation.lazyProduct(back.normals()));
   return pulls.moved(pose);
 }
 

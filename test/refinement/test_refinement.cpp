@@ -146,11 +146,20 @@ TEST(PlanePulls, AskForTheMotionThatIsMissing)
       1.0, turn(3.0, {1.0, 2.0, -1.0}).topLeftCorner<3, 3>(), {0.02, -0.01, 0.03}};
   for (int step = 0; step < 5; ++step) {
     pcl::kss::PlanePulls pulls;
-    for (int i = 0; i < 300; ++i) {
+    // what fills up the last vector has no weight
+    constexpr int size = 300, filled = 304;
+    pcl::kss::PlanePulls::Rows placed(3, filled), points(3, filled), normals(3, filled);
+    Eigen::RowVectorXf weights = Eigen::RowVectorXf::Zero(filled);
+    weights.head(size).setOnes();
+    for (int i = 0; i < filled; ++i) {
       Eigen::Vector3f point = randomVector(random, 1.0).cast<float>();
-      point[i % 3] = 0.0f;
-      pulls.add(moved.affine() * point, point, Eigen::Vector3f::Unit(i % 3), 1.0f);
+      if (i < size)
+        point[i % 3] = 0.0f;
+      placed.col(i) = moved.affine() * point;
+      points.col(i) = point;
+      normals.col(i) = Eigen::Vector3f::Unit(i % 3);
     }
+    pulls.add(placed, points, normals, weights);
     moved = pulls.moved(moved);
   }
   EXPECT_TRUE(moved.rotation.isIdentity(1e-5));
