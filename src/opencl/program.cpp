@@ -49,6 +49,17 @@ OpenCLProgram::OpenCLProgram(const cl::Device& device, const std::string& name)
   });
 }
 
+cl::Buffer
+OpenCLProgram::buffer(std::size_t bytes, cl_mem_flags flags, const void* values)
+{
+  if (bytes > largest_buffer_)
+    throw tooLarge(bytes);
+  return call([&] {
+    return cl::Buffer(context_, CL_MEM_READ_WRITE | flags, bytes,
+                      const_cast<void*>(values)); // which are only read
+  });
+}
+
 void
 OpenCLProgram::build()
 {

@@ -31,11 +31,9 @@ public:
   cl::Buffer
   upload(const Value* values, std::size_t size)
   {
-    cl::Buffer buffer = allocate<Value>(size);
-    call([&] {
-      queue_.enqueueWriteBuffer(buffer, CL_TRUE, 0, size * sizeof(Value), values);
-    });
-    return buffer;
+    // a buffer that begins as a copy needs no command, which a CPU's threads would have
+    // to be woken for
+    return buffer(size * sizeof(Value), CL_MEM_COPY_HOST_PTR, values);
   }
 
   /** \brief A buffer for so many values. */
@@ -43,10 +41,7 @@ public:
   cl::Buffer
   allocate(std::size_t size)
   {
-    const std::size_t bytes = size * sizeof(Value);
-    if (bytes > largest_buffer_)
-      throw tooLarge(bytes);
-    return call([&] { return cl::Buffer(context_, CL_MEM_READ_WRITE, bytes); });
+    return buffer(size * sizeof(Value), 0, nullptr);
   }
 
   /** \brief Copy the first values of a buffer to the host. */
@@ -110,6 +105,9 @@ private:
   template <typename Work>
   auto
   call(const Work& work);
+
+  cl::Buffer
+  buffer(std::size_t bytes, cl_mem_flags flags, const void* values);
 
   void
   build();
