@@ -7,7 +7,8 @@
  * Centres lie on nodes of the field, so that going from centre to centre a point meets
  * a block of the field that only its place under the first centre decides. Nodes one
  * centre apart are stored side by side (those in between in arrays of their own): a
- * vector of 16 distances, one byte each, is 16 centres.
+ * vector of 16 distances, one byte each, is 16 centres. Where a node is, is the sum of
+ * what each of its coordinates says.
  */
 
 #include "common.cl"
@@ -23,12 +24,10 @@ sixteen(global const uchar* restrict field, uint index)
 /* points: x, y, z, 1 per point, at most MOST_POINTS
  * placements: three rows of a matrix each: to nodes of the field, under the first
  *   centre
- * field: distances, node (x, y, z) in array (x % every.x, y % every.y, z % every.z) at
- *   (x / every.x, y / every.y, z / every.z); in arrays and in the grid of arrays, z
- *   varies fastest; outermost nodes are as far as a distance counts
+ * field: distances; outermost nodes are as far as a distance counts
+ * nodes: where a node is, by x, then by y, then by z
+ * first: where those by each of them begin
  * last: the last node that the first centre may fall on
- * every: nodes from centre to centre
- * size: nodes of an array along each axis
  * rows: where the rows of 16 centres begin, from the first centre; whole groups of
  *   eight
  * sums: 16 per row
@@ -39,9 +38,9 @@ shift_sums(global const float4* restrict points,
            global const float4* restrict placements,
            const uint number_of_placements,
            global const uchar* restrict field,
+           global const uint* restrict nodes,
+           const int4 first,
            const int4 last,
-           const int4 every,
-           const int4 size,
            global const uint* restrict rows,
            const uint number_of_rows,
            global ushort16* restrict sums)
@@ -50,22 +49,20 @@ shift_sums(global const float4* restrict points,
   if (index >= number_of_placements)
     return;
   const Placement placement = placement_at(placements, index);
-  uint first[MOST_POINTS];
+  uint under_first[MOST_POINTS];
   for (uint i = 0; i < number_of_points; ++i) {
     const float4 node = place(placement, points[i]);
     const int x = (int)clamp(node.x, 0.0f, (float)last.x);
     const int y = (int)clamp(node.y, 0.0f, (float)last.y);
     const int z = (int)clamp(node.z, 0.0f, (float)last.z);
-    const uint array = (x % every.x * every.y + y % every.y) * every.z + z % every.z;
-    first[i] = array * size.x * size.y * size.z +
-               (x / every.x * size.y + y / every.y) * size.z + z / every.z;
+    under_first[i] = nodes[first.x + x] + nodes[first.y + y] + nodes[first.z + z];
   }
   /* eight rows stay in registers while the points go by */
   for (uint row = 0; row < number_of_rows; row += 8) {
     const uint8 at = vload8(0, rows + row);
     ushort16 a = 0, b = 0, c = 0, d = 0, e = 0, f = 0, g = 0, h = 0;
     for (uint i = 0; i < number_of_points; ++i) {
-      global const uchar* restrict under = field + first[i];
+      global const uchar* restrict under = field + under_first[i];
       a += sixteen(under, at.s0);
       b += sixteen(under, at.s1);
       c += sixteen(under, at.s2);

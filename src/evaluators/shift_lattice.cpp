@@ -62,32 +62,49 @@ ShiftLattice::ShiftLattice(const Points& cloud,
   }
   lower_ = box.min().array() - limit + 0.5f * step_;
 
+  fold_ = foldFor(counts);
+  placeNodes();
+  const int in_line = roundedUp(counts[2], lanes) / lanes; // rows along z
   for (int x = 0; x < counts[0]; ++x)
-    for (int y = 0; y < counts[1]; ++y)
+    for (int y = 0; y < counts[1]; ++y) {
+      const std::size_t first = y % fold_ == 0 ? rows_.size() : rows_.size() - in_line;
       for (int z = 0; z < counts[2]; ++z) {
-        if (z % lanes == 0)
-          rows_.push_back((x * size_[1] + y) * size_[2] + z);
-        places_.push_back((rows_.size() - 1) * lanes + z % lanes);
+        if (y % fold_ == 0 && z % lanes == 0)
+          rows_.push_back(fold_ * ((x * size_[1] + y) * size_[2] + z));
+        places_.push_back((first + z / lanes) * lanes + z % lanes * fold_ + y % fold_);
       }
+    }
   rows_.resize(roundedUp<std::size_t>(rows_.size(), rows_at_once), rows_.back());
 }
 
-std::array<std::vector<std::size_t>, 3>
-ShiftLattice::placesAlongAxes() const
+int
+ShiftLattice::foldFor(const Eigen::Array3i& counts)
 {
-  const Eigen::Array<std::size_t, 3, 1> every = every_.cast<std::size_t>(),
-                                        size = size_.cast<std::size_t>();
-  const std::size_t array = size.prod();
-  const std::size_t arrays[] = {array * every[1] * every[2], array * every[2], array};
-  const std::size_t strides[] = {size[1] * size[2], size[2], 1};
-  std::array<std::vector<std::size_t>, 3> places;
+  const auto rowsFor = [&](int fold) {
+    return roundedUp(counts[0] * (roundedUp(counts[1], fold) / fold), rows_at_once);
+  };
+  // no more memory than saves rows
+  int best = 1;
+  for (int fold = 2; fold <= counts[1] && fold * counts[2] <= lanes; ++fold)
+    if (rowsFor(fold) < rowsFor(best))
+      best = fold;
+  return best;
+}
+
+void
+ShiftLattice::placeNodes()
+{
+  // the arrays of nodes that lie a centre apart, one after the other
+  const std::uint32_t array = fold_ * size_.prod();
+  const std::uint32_t arrays[] = {array * every_[1] * every_[2], array * every_[2],
+                                  array};
+  const std::uint32_t strides[] = {
+      static_cast<std::uint32_t>(fold_ * size_[1] * size_[2]),
+      static_cast<std::uint32_t>(fold_ * size_[2]), static_cast<std::uint32_t>(fold_)};
   for (int axis = 0; axis < 3; ++axis)
-    for (int i = 0; i < inner_[axis]; ++i) {
-      const std::size_t at = i + width_[axis] + 1;
-      places[axis].push_back(at % every[axis] * arrays[axis] +
-                             at / every[axis] * strides[axis]);
-    }
-  return places;
+    for (int i = 0; i < all_[axis]; ++i)
+      nodes_[axis].push_back(i % every_[axis] * arrays[axis] +
+                             i / every_[axis] * strides[axis]);
 }
 
 std::vector<std::uint8_t>
@@ -95,12 +112,15 @@ ShiftLattice::field(const Points& cloud) const
 {
   constexpr float most = 255.0f;
   // the last row may reach beyond the end
-  std::vector<std::uint8_t> field(numberOfCells(every_) * numberOfCells(size_) + lanes,
+  std::vector<std::uint8_t> field(fold_ * numberOfCells(every_) * numberOfCells(size_) +
+                                      lanes,
                                   static_cast<std::uint8_t>(most));
-  const auto places = placesAlongAxes();
   const Points points = turned(cloud);
   const float steps = most / limit_, squared_limit = limit_ * limit_;
-  const Eigen::Array3i end = inner_ - 1;
+  const Eigen::Array3i end = inner_ - 1, before = width_ + 1;
+  // from beside a node to beside the one a centre before it along y: there are as many
+  // before the inner ones as there are centres
+  const std::ptrdiff_t to_folded = 1 - static_cast<std::ptrdiff_t>(fold_) * size_[2];
   // nodes learn of the points that are nearer than the limit, few of all
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Eigen::Array3f point = points.col(i).array() - lower_;
@@ -113,7 +133,8 @@ ShiftLattice::field(const Points& cloud) const
         const float off_line = dx * dx + dy * dy;
         if (off_line >= squared_limit)
           continue;
-        std::uint8_t* const row = &field[places[0][x] + places[1][y]];
+        std::uint8_t* const row =
+            &field[nodes_[0][before[0] + x] + nodes_[1][before[1] + y]];
         for (int z = first[2]; z <= last[2]; ++z) {
           const float dz = z * step_[2] - point[2];
           const float squared = off_line + dz * dz;
@@ -121,8 +142,9 @@ ShiftLattice::field(const Points& cloud) const
             continue;
           const auto byte =
               static_cast<std::uint8_t>(steps * std::sqrt(squared) + 0.5f);
-          std::uint8_t& node = row[places[2][z]];
-          node = std::min(node, byte);
+          std::uint8_t* node = row + nodes_[2][before[2] + z];
+          for (int i = 0; i < fold_; ++i, node += to_folded)
+            *node = std::min(*node, byte);
         }
       }
   }

@@ -41,7 +41,7 @@ public:
     return axes_ == other.axes_ && (lower_ == other.lower_).all() &&
            (step_ == other.step_).all() && (every_ == other.every_).all() &&
            (width_ == other.width_).all() && (inner_ == other.inner_).all() &&
-           limit_ == other.limit_;
+           fold_ == other.fold_ && limit_ == other.limit_;
   }
 
   /** \brief The nodes beyond which no distance is below the limit, a regular grid: the
@@ -66,7 +66,9 @@ public:
     return inner_;
   }
 
-  /** \brief Centres of a row, along z: their sums are a vector. */
+  /** \brief Centres of a row, along z: their sums are a vector. Where few follow each
+   * other along z, several of them along y are a row together; see fold().
+   */
   static constexpr int lanes = 16;
 
   /** \brief How many rows are summed at once. */
@@ -90,6 +92,13 @@ public:
     return all_ - 1 - width_;
   }
 
+  /** \brief Where nodes are stored: the sum of what each of their coordinates says. */
+  const std::array<std::vector<std::uint32_t>, 3>&
+  nodes() const
+  {
+    return nodes_;
+  }
+
   /** \brief Nodes from centre to centre. */
   const Eigen::Array3i&
   every() const
@@ -102,6 +111,14 @@ public:
   size() const
   {
     return size_;
+  }
+
+  /** \brief How many centres along y share a row: beside each node lie those that many
+   * centres from it along y, so that 16 bytes are few along z times some along y. */
+  int
+  fold() const
+  {
+    return fold_;
   }
 
   /** \brief Where the rows of \ref lanes centres begin, filled up to as many as are
@@ -127,14 +144,19 @@ private:
     return axes_.transpose() * cloud;
   }
 
-  /** Where inner nodes are stored, as a sum over the axes. */
-  std::array<std::vector<std::size_t>, 3>
-  placesAlongAxes() const;
+  /** How many centres along y share a row where that saves rows. */
+  static int
+  foldFor(const Eigen::Array3i& counts);
+
+  void
+  placeNodes();
 
   Eigen::Matrix3f axes_;
   Eigen::Array3f lower_, step_;
   Eigen::Array3i every_, width_, inner_, all_, size_;
+  int fold_ = 1;
   float limit_;
+  std::array<std::vector<std::uint32_t>, 3> nodes_;
   std::vector<std::uint32_t> rows_, places_;
 };
 

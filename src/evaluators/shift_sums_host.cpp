@@ -8,6 +8,7 @@
 #include "support/parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace pcl {
@@ -83,9 +84,7 @@ public:
     field_ = lattice.field(cloud);
     rows_ = lattice.rows();
     last_ = lattice.last();
-    every_ = lattice.every();
-    size_ = lattice.size();
-    array_ = static_cast<std::uint32_t>(numberOfCells(size_));
+    nodes_ = lattice.nodes();
   }
 
   std::vector<std::uint16_t>
@@ -109,17 +108,14 @@ private:
   firstOf(const Eigen::Vector3f& node) const
   {
     const Eigen::Array3i at = toIndices(node, last_);
-    const Eigen::Array3i part = at / every_;
-    const Eigen::Array3i rest = at - part * every_;
-    return ((rest[0] * every_[1] + rest[1]) * every_[2] + rest[2]) * array_ +
-           (part[0] * size_[1] + part[1]) * size_[2] + part[2];
+    return nodes_[0][at[0]] + nodes_[1][at[1]] + nodes_[2][at[2]];
   }
 
   unsigned int threads_;
   std::vector<std::uint8_t> field_;
   std::vector<std::uint32_t> rows_;
-  Eigen::Array3i last_, every_, size_;
-  std::uint32_t array_ = 0; ///< nodes of an array
+  Eigen::Array3i last_;
+  std::array<std::vector<std::uint32_t>, 3> nodes_;
 };
 
 } // namespace

@@ -26,8 +26,13 @@ public:
     rows_ = program_->upload(lattice.rows().data(), lattice.rows().size());
     number_of_rows_ = static_cast<cl_uint>(lattice.rows().size());
     last_ = toInt4(lattice.last());
-    every_ = toInt4(lattice.every());
-    size_ = toInt4(lattice.size());
+    std::vector<std::uint32_t> nodes;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::vector<std::uint32_t>& along = lattice.nodes()[axis];
+      first_nodes_.s[axis] = static_cast<cl_int>(nodes.size());
+      nodes.insert(nodes.end(), along.begin(), along.end());
+    }
+    nodes_ = program_->upload(nodes.data(), nodes.size());
   }
 
   /** The sums of some placements, written to where there is room for them. */
@@ -51,8 +56,8 @@ public:
                 program_->run("shift_sums", number, probes,
                               static_cast<cl_uint>(points.cols()),
                               program_->upload(placements + begin, number),
-                              static_cast<cl_uint>(number), field_, last_, every_,
-                              size_, rows_, number_of_rows_, result);
+                              static_cast<cl_uint>(number), field_, nodes_,
+                              first_nodes_, last_, rows_, number_of_rows_, result);
                 program_->download(result, sums + sums_of_placement * begin,
                                    sums_of_placement * number);
               });
@@ -61,9 +66,9 @@ public:
 private:
   std::shared_ptr<OpenCLProgram> program_;
   Dispatches sums_;
-  cl::Buffer field_, rows_;
+  cl::Buffer field_, nodes_, rows_;
   cl_uint number_of_rows_ = 0;
-  cl_int4 last_, every_, size_;
+  cl_int4 first_nodes_ = {}, last_;
 };
 
 class OpenCLShiftSums : public ShiftSums {
