@@ -94,26 +94,28 @@ Screening::lowest(const Candidates& candidates, std::size_t many)
   const auto& places = lattice.places();
   const std::size_t centers = places.size(), scales = candidates.scales().size();
   const std::size_t block = ShiftLattice::lanes * lattice.rows().size();
-  std::vector<std::size_t> found;
-  for (std::size_t scale = 0; scale < scales; ++scale) {
-    std::vector<Placement> placements;
+  // all at once, so that a device has enough to do
+  std::vector<Placement> placements;
+  for (const double scale : candidates.scales())
     for (const Eigen::Quaterniond& rotation : rotations) {
       const Eigen::Matrix3d linear =
-          on_target ? Eigen::Matrix3d(candidates.scales()[scale] *
-                                      rotation.toRotationMatrix())
-                    : Eigen::Matrix3d(rotation.conjugate().toRotationMatrix() /
-                                      candidates.scales()[scale]);
+          on_target ? Eigen::Matrix3d(scale * rotation.toRotationMatrix())
+                    : Eigen::Matrix3d(rotation.conjugate().toRotationMatrix() / scale);
       placements.push_back(lattice.toNodes(linear.cast<float>()));
     }
-    const std::vector<std::uint16_t> sums = fixed.sums->sums(probes, placements);
+  const std::vector<std::uint16_t> sums = fixed.sums->sums(probes, placements);
+
+  std::vector<std::size_t> found;
+  for (std::size_t scale = 0; scale < scales; ++scale) {
+    const std::uint16_t* const of_scale = &sums[scale * rotations.size() * block];
     std::vector<std::size_t> histogram(1 << 16);
     for (std::size_t r = 0; r < rotations.size(); ++r)
       for (const std::uint32_t place : places)
-        ++histogram[sums[r * block + place]];
+        ++histogram[of_scale[r * block + place]];
     const std::uint16_t cut = limitOfLowest(histogram, many / scales);
     for (std::size_t r = 0; r < rotations.size(); ++r)
       for (std::size_t c = 0; c < centers; ++c)
-        if (sums[r * block + places[c]] < cut)
+        if (of_scale[r * block + places[c]] < cut)
           found.push_back((r * scales + scale) * centers + c);
   }
   std::sort(found.begin(), found.end());
