@@ -7,7 +7,8 @@
  * Centres lie on nodes of the field, so that going from centre to centre a point meets
  * a block of the field that only its place under the first centre decides. Nodes one
  * centre apart are stored side by side (those in between in arrays of their own): a
- * vector of 16 distances, one byte each, is 16 centres. Where a node is, is the sum of
+ * vector of 16 distances, one byte each, is 16 centres, along z, or few along z times
+ * some along y. Where a node is, is the sum of
  * what each of its coordinates says.
  */
 

@@ -107,7 +107,7 @@ public:
               unsigned int kernel,
               double distinct_angle) const;
 
-  /** \brief The same among those whose energies are known. */
+  /** \brief The same among those whose energies are known: others are no lower. */
   std::vector<std::size_t>
   localMinima(const SomeEnergies& energies,
               unsigned int kernel,
@@ -129,6 +129,10 @@ private:
   Parts
   partsOf(std::size_t index) const;
 
+  /** The same among some.
+   * \param[in] energies what has energies[i]
+   * \param[in] among indices of those that may be minima
+   */
   template <typename Energies>
   std::vector<std::size_t>
   localMinima(const Energies& energies,

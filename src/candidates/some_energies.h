@@ -44,7 +44,7 @@ public:
 
   /** \brief The energy of one of them, by its place among them. */
   float&
-  at(std::size_t place)
+  ofPlace(std::size_t place)
   {
     return energies_[place];
   }

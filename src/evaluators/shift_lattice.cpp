@@ -5,6 +5,7 @@
 #include "evaluators/shift_lattice.h"
 
 #include <pcl/registration/kss/detail/grid_index.h>
+#include <pcl/registration/kss/detail/stopping.h>
 
 #include "geometry/clouds.h"
 #include "support/rounded_up.h"
@@ -63,6 +64,8 @@ ShiftLattice::ShiftLattice(const Points& cloud,
   lower_ = box.min().array() - limit + 0.5f * step_;
 
   fold_ = foldFor(counts);
+  if (fold_ * (every_ * size_).cast<double>().prod() > most_nodes)
+    fold_ = 1;
   placeNodes();
   const int in_line = roundedUp(counts[2], lanes) / lanes; // rows along z
   for (int x = 0; x < counts[0]; ++x)
@@ -123,6 +126,8 @@ ShiftLattice::field(const Points& cloud) const
   const std::ptrdiff_t to_folded = 1 - static_cast<std::ptrdiff_t>(fold_) * size_[2];
   // nodes learn of the points that are nearer than the limit, few of all
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    if (i % 256 == 0)
+      throwIfStopped();
     const Eigen::Array3f point = points.col(i).array() - lower_;
     const auto first =
                    toIndices(Eigen::Array3f(((point - limit_) / step_).ceil()), end),
@@ -142,9 +147,11 @@ ShiftLattice::field(const Points& cloud) const
             continue;
           const auto byte =
               static_cast<std::uint8_t>(steps * std::sqrt(squared) + 0.5f);
-          std::uint8_t* node = row + nodes_[2][before[2] + z];
-          for (int i = 0; i < fold_; ++i, node += to_folded)
-            *node = std::min(*node, byte);
+          std::uint8_t* const node = row + nodes_[2][before[2] + z];
+          for (int folded = 0; folded < fold_; ++folded) {
+            std::uint8_t& copy = node[folded * to_folded];
+            copy = std::min(copy, byte);
+          }
         }
       }
   }

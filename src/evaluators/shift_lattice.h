@@ -113,14 +113,6 @@ public:
     return size_;
   }
 
-  /** \brief How many centres along y share a row: beside each node lie those that many
-   * centres from it along y, so that 16 bytes are few along z times some along y. */
-  int
-  fold() const
-  {
-    return fold_;
-  }
-
   /** \brief Where the rows of \ref lanes centres begin, filled up to as many as are
    * summed at once. */
   const std::vector<std::uint32_t>&
@@ -154,6 +146,9 @@ private:
   Eigen::Matrix3f axes_;
   Eigen::Array3f lower_, step_;
   Eigen::Array3i every_, width_, inner_, all_, size_;
+  /** How many centres along y share a row: beside each node lie those that are one, two
+   * and so on centres farther along y, so that 16 bytes are few along z times some
+   * along y. */
   int fold_ = 1;
   float limit_;
   std::array<std::vector<std::uint32_t>, 3> nodes_;

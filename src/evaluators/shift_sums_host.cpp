@@ -7,7 +7,6 @@
 #include "evaluators/shift_sums.h"
 #include "support/parallel.h"
 
-#include <algorithm>
 #include <array>
 #include <cstring>
 

@@ -19,10 +19,9 @@ public:
   }
 
   void
-  setField(const Points& cloud, const ShiftLattice& lattice)
+  setField(const std::vector<std::uint8_t>& field, const ShiftLattice& lattice)
   {
-    const auto bytes = lattice.field(cloud);
-    field_ = program_->upload(bytes.data(), bytes.size());
+    field_ = program_->upload(field.data(), field.size());
     rows_ = program_->upload(lattice.rows().data(), lattice.rows().size());
     number_of_rows_ = static_cast<cl_uint>(lattice.rows().size());
     last_ = toInt4(lattice.last());
@@ -81,7 +80,8 @@ public:
   void
   setField(const Points& cloud, const ShiftLattice& lattice) override
   {
-    devices_.forEach([&](DeviceShiftSums& device) { device.setField(cloud, lattice); });
+    const std::vector<std::uint8_t> field = lattice.field(cloud);
+    devices_.forEach([&](DeviceShiftSums& device) { device.setField(field, lattice); });
     sums_of_placement_ = ShiftLattice::lanes * lattice.rows().size();
   }
 

@@ -65,8 +65,9 @@ learn(int n,
 } // namespace
 
 DistanceField::DistanceField(const Points& points, float cell, float margin)
-: lower_(boxOf(points).min().array() - margin)
 {
+  const Eigen::AlignedBox3f box = boxOf(points);
+  lower_ = box.min().array() - margin;
   if (!(cell > 0.0f)) // all points coincide
     cell = 1.0f;
   const Eigen::Vector3f extent = (boxOf(points).max() - lower_).array() + margin;

@@ -36,7 +36,8 @@ withoutStrayPoints(const Points& cloud, unsigned int threads);
 
 /** \brief Whether noise is so heavy that the points fill space instead of lying on a
  * surface.
- * \param[in] surface what may be one
+ * \param[in] surface points that know sixteen neighbours, as withoutStrayPoints()
+ * leaves them
  * \param[in] threads 0: as many as there are cores
  */
 bool

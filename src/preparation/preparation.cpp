@@ -4,10 +4,11 @@
 
 #include "preparation/preparation.h"
 
-#include "geometry/clouds.h"
 #include "support/parallel.h"
 
 #include <algorithm>
+#include <thread>
+#include <vector>
 
 namespace pcl {
 namespace kss {
@@ -22,35 +23,42 @@ Preparation::prepared(const LocalCloud& source,
                       const LocalCloud& target,
                       const std::function<void(double)>& done)
 {
+  struct Cloud {
+    std::shared_ptr<const PreparedCloud>& kept;
+    const LocalCloud& input;
+    Fingerprint fingerprint;
+  };
+  std::vector<Cloud> to_prepare;
+  for (const Cloud& cloud : {Cloud{target_, target, fingerprintOf(target)},
+                             Cloud{source_, source, fingerprintOf(source)}})
+    if (!cloud.kept || cloud.kept->fingerprint != cloud.fingerprint)
+      to_prepare.push_back(cloud);
+
   // one beside the other, where there are threads for both
-  const unsigned int threads = threadCount(settings_.threads);
   Settings settings = settings_;
-  settings.threads = std::max(1u, threads / 2);
-  inParallel(2, threads, 1, [&](std::ptrdiff_t i) {
-    if (i == 0)
-      bringUpToDate(target_, target, settings);
-    else
-      bringUpToDate(source_, source, settings);
-    if (threads == 1) // progress is told by the thread that has called
-      done(0.5 * static_cast<double>(i + 1));
+  if (to_prepare.size() > 1)
+    settings.threads = std::max(1u, threadCount(settings_.threads) / 2);
+  const auto caller = std::this_thread::get_id(); // who is told, once
+  bool is_told = false;
+  const auto tell = [&] {
+    if (!is_told)
+      done(0.5);
+    is_told = true;
+  };
+  inParallel(to_prepare.size(), settings_.threads, 1, [&](std::ptrdiff_t i) {
+    const Cloud& cloud = to_prepare[i];
+    cloud.kept = std::make_shared<PreparedCloud>(
+        kss::prepared(cloud.input, cloud.fingerprint, settings));
+    if (std::this_thread::get_id() == caller)
+      tell();
   });
+  tell();
   if (!source_->is_noisy && !target_->is_noisy)
     return {source_, target_, false};
   const auto mean_source = std::make_shared<PreparedCloud>(*source_);
   const auto mean_target = std::make_shared<PreparedCloud>(*target_);
   averageNoise(*mean_source, *mean_target, settings_);
   return {mean_source, mean_target, true};
-}
-
-void
-Preparation::bringUpToDate(std::shared_ptr<const PreparedCloud>& kept,
-                           const LocalCloud& cloud,
-                           const Settings& settings)
-{
-  if (!kept || !areEqual(kept->input.points, cloud.points) ||
-      !areEqual(kept->input.normals, cloud.normals) ||
-      kept->input.origin != cloud.origin)
-    kept = std::make_shared<PreparedCloud>(kss::prepared(cloud, settings));
 }
 
 } // namespace kss

@@ -40,11 +40,6 @@ public:
            const std::function<void(double)>& done);
 
 private:
-  static void
-  bringUpToDate(std::shared_ptr<const PreparedCloud>& kept,
-                const LocalCloud& cloud,
-                const Settings& settings);
-
   Settings settings_;
   std::shared_ptr<const PreparedCloud> source_, target_;
 };

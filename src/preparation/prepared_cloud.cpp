@@ -75,9 +75,10 @@ takeWhatJudges(const LocalCloud& cloud,
   if (static_cast<std::size_t>(cloud.points.cols()) <= most_points)
     return;
   // the scales of scenes are known
-  const std::size_t most =
-      settings.estimate_scale ? most_object_points : most_scene_points;
-  Surface dense = surfaceOf(cloud.points, most, settings);
+  const bool scale_is_known =
+      !settings.estimate_scale || settings.smallest_scale >= settings.largest_scale;
+  Surface dense = surfaceOf(
+      cloud.points, scale_is_known ? most_scene_points : most_object_points, settings);
   TangentPlanes planes = planesOf(dense, cloud, settings);
   if (agreeingShare(prepared.planes) > agreeingShare(planes) + clearly)
     return;
@@ -97,10 +98,13 @@ orderOf(const Points& points, const Settings& settings)
 } // namespace
 
 PreparedCloud
-prepared(const LocalCloud& cloud, const Settings& settings)
+prepared(const LocalCloud& cloud,
+         const Fingerprint& fingerprint,
+         const Settings& settings)
 {
   PreparedCloud prepared;
-  prepared.input = cloud;
+  prepared.fingerprint = fingerprint;
+  prepared.origin = cloud.origin;
   prepared.surface = surfaceOf(cloud.points, most_points, settings);
   prepared.is_noisy = settings.clean && isNoisy(prepared.surface, settings.threads);
   takeWhatJudges(cloud, settings, prepared);

@@ -7,6 +7,7 @@
 #include <pcl/registration/kss/detail/points.h>
 #include <pcl/registration/kss/settings.h>
 
+#include "geometry/fingerprint.h"
 #include "geometry/neighbourhoods.h"
 #include "geometry/tangent_planes.h"
 #include "preparation/farthest_points.h"
@@ -16,8 +17,10 @@ namespace kss {
 
 /** \brief A cloud made ready for any other. */
 struct PreparedCloud {
-  /** \brief The cloud as it came. */
-  LocalCloud input;
+  /** \brief What tells the cloud as it came. */
+  Fingerprint fingerprint = {};
+  /** \brief Where its frame lies. */
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   /** \brief Its points, clean, and no more than refinement and judgement need. */
   Surface surface;
   /** \brief The same, as dense as the cloud is: what judges poses. */
@@ -32,7 +35,9 @@ struct PreparedCloud {
 
 /** \brief Thin a cloud out, clean it and order its points. */
 PreparedCloud
-prepared(const LocalCloud& cloud, const Settings& settings);
+prepared(const LocalCloud& cloud,
+         const Fingerprint& fingerprint,
+         const Settings& settings);
 
 /** \brief Average the noise of two clouds away; see averageNoise(). */
 void

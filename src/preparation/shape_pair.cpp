@@ -23,7 +23,7 @@ constexpr double smallest_part = 0.35;
 PreShape
 simplifiedShape(const char* name, const Points& points, const PreparedCloud& cloud)
 {
-  return naming(name, [&] { return toPreShape({points, cloud.input.origin}); });
+  return naming(name, [&] { return toPreShape({points, cloud.origin}); });
 }
 
 CloudSize
@@ -57,7 +57,7 @@ shapeOf(const PreShape& simplified,
         const Shape* before)
 {
   const auto place = [&](const Surface& surface, const auto& known) {
-    return inFrameOf(simplified, cloud.input.origin, surface, known);
+    return inFrameOf(simplified, cloud.origin, surface, known);
   };
   Shape shape{simplified, nullptr, {}, extent};
   shape.all = place(cloud.surface, before ? before->all : nullptr);
@@ -116,7 +116,7 @@ shapePair(const PreparedPair& clouds,
                                  before ? &before->target : nullptr);
   });
   return std::make_shared<ShapePair>(
-      ShapePair{shapes[0], shapes[1], PoseMetric(source.points),
+      ShapePair{std::move(shapes[0]), std::move(shapes[1]), PoseMetric(source.points),
                 scalesBetween(source, target, settings), clouds.is_noisy});
 }
 

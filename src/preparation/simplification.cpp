@@ -185,7 +185,7 @@ std::vector<int>
 onePerCell(const Points& cloud,
            const CellLattice& cells,
            std::size_t expected,
-           int stride)
+           std::ptrdiff_t stride)
 {
   KeyTable table(expected);
   std::vector<int> kept;
@@ -217,7 +217,8 @@ onePerCell(const Points& cloud, std::size_t least, std::size_t most)
   // filled body a little otherwise, hence a few rounds. A dozen points for each cell
   // are enough to find the edge.
   const auto size = static_cast<std::size_t>(cloud.cols());
-  const int stride = static_cast<int>(std::max<std::size_t>(1, size / (12 * most)));
+  const auto stride =
+      static_cast<std::ptrdiff_t>(std::max<std::size_t>(1, size / (12 * most)));
   const float aim = std::sqrt(static_cast<float>(least) * most);
   const Eigen::AlignedBox3f box = boxOf(cloud);
   const float longest = edgeToDivide(box);

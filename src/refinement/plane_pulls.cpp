@@ -23,33 +23,30 @@ struct Columns {
   const float *x, *y, *z;
 };
 
-/** Add up what correspondences pull by.
- * \param[in,out] along see PlanePulls
- * \param[in,out] towards
+/** Add up what correspondences pull by along normals.
+ * \param[in,out] sums see PlanePulls
  */
 PCL_KSS_WIDE void
-addUp(const Columns& placed,
-      const Columns& target,
-      const Columns& normals,
-      const float* weights,
-      Eigen::Index n,
-      double* along,
-      double* towards)
+addAlong(const Columns& placed,
+         const Columns& target,
+         const Columns& normals,
+         const float* weights,
+         Eigen::Index n,
+         double (&sums)[PlanePulls::along_sums])
 {
-  float a[27][lanes] = {}, t[16][lanes] = {};
+  float a[PlanePulls::along_sums][lanes] = {};
   for (Eigen::Index i = 0; i < n; i += lanes)
     for (int l = 0; l < lanes; ++l) {
       const float w = weights[i + l];
       const float px = placed.x[i + l], py = placed.y[i + l], pz = placed.z[i + l];
       const float nx = normals.x[i + l], ny = normals.y[i + l], nz = normals.z[i + l];
-      const float dx = px - target.x[i + l], dy = py - target.y[i + l],
-                  dz = pz - target.z[i + l];
       // the row of the equations: turn and normal
       const float rx = py * nz - pz * ny, ry = pz * nx - px * nz,
                   rz = px * ny - py * nx;
       const float wrx = w * rx, wry = w * ry, wrz = w * rz;
       const float wnx = w * nx, wny = w * ny, wnz = w * nz;
-      const float off = nx * dx + ny * dy + nz * dz;
+      const float off = nx * (px - target.x[i + l]) + ny * (py - target.y[i + l]) +
+                        nz * (pz - target.z[i + l]);
       a[0][l] += wrx * rx;
       a[1][l] += wry * rx;
       a[2][l] += wry * ry;
@@ -77,6 +74,27 @@ addUp(const Columns& placed,
       a[24][l] += wnx * off;
       a[25][l] += wny * off;
       a[26][l] += wnz * off;
+    }
+  for (int s = 0; s < PlanePulls::along_sums; ++s)
+    for (int l = 0; l < lanes; ++l)
+      sums[s] += a[s][l];
+}
+
+/** And towards points. */
+PCL_KSS_WIDE void
+addTowards(const Columns& placed,
+           const Columns& target,
+           const float* weights,
+           Eigen::Index n,
+           double (&sums)[PlanePulls::towards_sums])
+{
+  float t[PlanePulls::towards_sums][lanes] = {};
+  for (Eigen::Index i = 0; i < n; i += lanes)
+    for (int l = 0; l < lanes; ++l) {
+      const float w = weights[i + l];
+      const float px = placed.x[i + l], py = placed.y[i + l], pz = placed.z[i + l];
+      const float dx = px - target.x[i + l], dy = py - target.y[i + l],
+                  dz = pz - target.z[i + l];
       const float wx = w * px, wy = w * py, wz = w * pz;
       t[0][l] += w;
       t[1][l] += wx;
@@ -95,12 +113,9 @@ addUp(const Columns& placed,
       t[14][l] += w * dy;
       t[15][l] += w * dz;
     }
-  for (int l = 0; l < lanes; ++l) {
-    for (int s = 0; s < 27; ++s)
-      along[s] += a[s][l];
-    for (int s = 0; s < 16; ++s)
-      towards[s] += t[s][l];
-  }
+  for (int s = 0; s < PlanePulls::towards_sums; ++s)
+    for (int l = 0; l < lanes; ++l)
+      sums[s] += t[s][l];
 }
 
 Columns
@@ -117,8 +132,9 @@ PlanePulls::add(const Rows& placed,
                 const Rows& normals,
                 const Eigen::RowVectorXf& weights)
 {
-  addUp(columnsOf(placed), columnsOf(target), columnsOf(normals), weights.data(),
-        weights.size(), along_, towards_);
+  const Columns from = columnsOf(placed), to = columnsOf(target);
+  addAlong(from, to, columnsOf(normals), weights.data(), weights.size(), along_);
+  addTowards(from, to, weights.data(), weights.size(), towards_);
 }
 
 Similarity
@@ -139,8 +155,9 @@ PlanePulls::moved(const Similarity& pose) const
   towards << products.trace() * Eigen::Matrix3d::Identity() - products, cross,
       cross.transpose(), t[0] * Eigen::Matrix3d::Identity();
   const Matrix6 matrix = (1.0 - epsilon) * along + epsilon * towards;
-  const Vector6 gradient = (1.0 - epsilon) * Eigen::Map<const Vector6>(along_ + half) +
-                           epsilon * Eigen::Map<const Vector6>(towards_ + 10);
+  const Vector6 gradient =
+      (1.0 - epsilon) * Eigen::Map<const Vector6>(along_ + gradient_along) +
+      epsilon * Eigen::Map<const Vector6>(towards_ + gradient_towards);
   const Vector6 motion = -matrix.ldlt().solve(gradient);
   if (!motion.allFinite())
     return pose;

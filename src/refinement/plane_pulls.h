@@ -25,6 +25,16 @@ public:
   /** \brief A row for each coordinate. */
   using Rows = Eigen::Matrix<float, 3, Eigen::Dynamic, Eigen::RowMajor>;
 
+  /** \brief Sums along normals, turns before shifts: the lower half of the equations'
+   * matrix, row by row, and what they are to be solved for. */
+  static constexpr int unknowns = 6, gradient_along = 21,
+                       along_sums = gradient_along + unknowns;
+
+  /** \brief Sums towards points: the weights, these times places, times products of
+   * places (xx, xy, xz, yy, yz, zz), and times moments and ways. */
+  static constexpr int gradient_towards = 10,
+                       towards_sums = gradient_towards + unknowns;
+
   /** \param[in] placed placed points of the source, filled up to whole vectors
    * \param[in] target what they are pulled to
    * \param[in] normals unit normals of the planes, where they are placed
@@ -45,14 +55,8 @@ private:
    * hundred of a cloud decide where the rest is free to slide. */
   static constexpr float epsilon = 0.01f;
 
-  /** Along normals: the lower half of the matrix, row by row, and what it is to be
-   * solved for; turns first. */
-  static constexpr int half = 21, unknowns = 6;
-
-  double along_[half + unknowns] = {};
-  /** Towards points: weights, times places, their products (xx, xy, xz, yy, yz, zz),
-   * moments and ways. */
-  double towards_[1 + 3 + 6 + 3 + 3] = {};
+  double along_[along_sums] = {};
+  double towards_[towards_sums] = {};
 };
 
 } // namespace kss

@@ -30,7 +30,7 @@ bytesOfCandidate(Search search)
     return 80.0;
   if (search == brute_force) // energies and indices
     return 16.0;
-  return 8.0; // energies, and sums of one scale
+  return 8.0; // sums of a scale, filled up to whole vectors
 }
 
 void
@@ -138,7 +138,7 @@ CandidateSearch::screened(const Sweep& sweep,
   SomeEnergies energies(found, sweep.candidates.size());
   for (const Weights& weights : sweep.energies) {
     for (std::size_t i = 0; i < found.size(); ++i)
-      energies.at(i) = energyOf(distances[i], weights, settings_.energy);
+      energies.ofPlace(i) = energyOf(distances[i], weights, settings_.energy);
     DistinctPoses distinct(metric, same_pose);
     for (const std::size_t i : sweep.candidates.localMinima(
              energies, settings_.local_minimum_kernel, same_pose)) {

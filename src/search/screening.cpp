@@ -15,6 +15,10 @@ namespace pcl {
 namespace kss {
 namespace {
 
+/** Placements that a device has enough to do with: no more scales are screened at once,
+ * whose sums have to be kept. */
+constexpr std::size_t enough = 16384;
+
 /** The lowest energies' limit: no more than so many candidates lie below it, unless the
  * very lowest are more.
  * \param[in] histogram how many candidates have each energy */
@@ -94,29 +98,36 @@ Screening::lowest(const Candidates& candidates, std::size_t many)
   const auto& places = lattice.places();
   const std::size_t centers = places.size(), scales = candidates.scales().size();
   const std::size_t block = ShiftLattice::lanes * lattice.rows().size();
-  // all at once, so that a device has enough to do
-  std::vector<Placement> placements;
-  for (const double scale : candidates.scales())
+  const auto placementsAt = [&](double scale, std::vector<Placement>& placements) {
     for (const Eigen::Quaterniond& rotation : rotations) {
       const Eigen::Matrix3d linear =
           on_target ? Eigen::Matrix3d(scale * rotation.toRotationMatrix())
                     : Eigen::Matrix3d(rotation.conjugate().toRotationMatrix() / scale);
       placements.push_back(lattice.toNodes(linear.cast<float>()));
     }
-  const std::vector<std::uint16_t> sums = fixed.sums->sums(probes, placements);
-
+  };
   std::vector<std::size_t> found;
-  for (std::size_t scale = 0; scale < scales; ++scale) {
-    const std::uint16_t* const of_scale = &sums[scale * rotations.size() * block];
+  const auto takeLowest = [&](const std::uint16_t* sums, std::size_t scale) {
     std::vector<std::size_t> histogram(1 << 16);
     for (std::size_t r = 0; r < rotations.size(); ++r)
       for (const std::uint32_t place : places)
-        ++histogram[of_scale[r * block + place]];
+        ++histogram[sums[r * block + place]];
     const std::uint16_t cut = limitOfLowest(histogram, many / scales);
     for (std::size_t r = 0; r < rotations.size(); ++r)
       for (std::size_t c = 0; c < centers; ++c)
-        if (of_scale[r * block + places[c]] < cut)
+        if (sums[r * block + places[c]] < cut)
           found.push_back((r * scales + scale) * centers + c);
+  };
+
+  const std::size_t at_once = std::max<std::size_t>(1, enough / rotations.size());
+  for (std::size_t begin = 0; begin < scales; begin += at_once) {
+    const std::size_t end = std::min(scales, begin + at_once);
+    std::vector<Placement> placements;
+    for (std::size_t scale = begin; scale < end; ++scale)
+      placementsAt(candidates.scales()[scale], placements);
+    const std::vector<std::uint16_t> sums = fixed.sums->sums(probes, placements);
+    for (std::size_t scale = begin; scale < end; ++scale)
+      takeLowest(&sums[(scale - begin) * rotations.size() * block], scale);
   }
   std::sort(found.begin(), found.end());
   return found;

@@ -327,7 +327,7 @@ TEST(Candidates, AreMinimaAmongSomeAsAmongAll)
   const auto known = [&](const std::vector<std::size_t>& among) {
     SomeEnergies known(among, energies.size());
     for (std::size_t i = 0; i < among.size(); ++i)
-      known.at(i) = energies[among[i]];
+      known.ofPlace(i) = energies[among[i]];
     return known;
   };
   for (std::size_t i = 0; i < candidates.size(); ++i)

@@ -337,6 +337,18 @@ TEST(ShiftLattice, IsBoundedWhereOneCloudIsMuchLargerThanTheOther)
     }
 }
 
+TEST(ShiftLattice, FoldsRowsOnlyWhereTheFieldStaysSmall)
+{
+  const Points cloud = shape(200, 31);
+  for (const int n : {5, 150}) {
+    const CandidateCenters centers = gridOf({n, n, 2}, {0.3, 0.3, 0.3}, 32);
+    const ShiftLattice lattice(cloud, centers, 0.35f);
+    const std::size_t lines = centers.steps[0] * centers.steps[1];
+    EXPECT_EQ(n == 5, 2 * lattice.rows().size() < lines) << n;
+    EXPECT_LE(lattice.field(cloud).size(), ShiftLattice::most_nodes + 16u) << n;
+  }
+}
+
 TEST(ShiftLattice, HasBytesForAllItsNodes)
 {
   const Points cloud = shape(100, 31);

@@ -607,8 +607,7 @@ private:
          const std::optional<Eigen::Matrix4d>& guess,
          std::vector<Contender>& contenders);
 
-  /** \brief IterativeClosestPoint on the clouds themselves: T of (e11). It alone
-   * borrows the members of the base class.
+  /** \brief IterativeClosestPoint on the clouds themselves: T of (e11).
    * \param[in] steps from few points to all
    * \param[in] contender where to start
    * \param[in] estimate_scale whether the scale may change where it is estimated
@@ -625,12 +624,14 @@ private:
            const Alternative* rival = nullptr,
            bool has_skins = false);
 
-  /** \brief One step of it.
+  /** \brief One step of it, which alone borrows the members of the base class.
+   * \param[in] before iterations that its run has made with the same points
    * \param[in,out] pose
    * \return whether it has led to one
    */
   bool
   runICP(const FinalStep& step,
+         int before,
          const kss::PoseScorer& scorer,
          const kss::SurfaceStepSettings& settings,
          Eigen::Matrix4d& pose);

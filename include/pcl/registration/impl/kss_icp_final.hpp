@@ -15,6 +15,7 @@
 #include <pcl/registration/kss_icp.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace pcl {
@@ -24,16 +25,19 @@ typename KSSICP<PointSource, PointTarget, Scalar>::FinalSteps
 KSSICP<PointSource, PointTarget, Scalar>::finalSteps(const Indices& used) const
 {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  const int most = this->max_iterations_, first = std::min(most, kss::most_first_steps);
+  constexpr int first = kss::most_first_steps;
+  int left = this->max_iterations_;
   FinalSteps steps;
   if (used.size() > 2 * kss::points_of_first_steps)
     steps.push_back(
-        {kss::pointsAt(*input_, kss::spread(used, kss::points_of_first_steps)), first,
-         kss::no_rival});
+        {kss::pointsAt(*input_, kss::spread(used, kss::points_of_first_steps)),
+         std::min(first, left), kss::no_rival});
   const PointCloudSourceConstPtr all = kss::pointsAt(*input_, used);
-  if (first < most)
-    steps.push_back({all, first, 0.0});
-  steps.push_back({all, first < most ? most - first : most, infinite});
+  if (left >= 2 * first) {
+    steps.push_back({all, first, kss::left_behind});
+    left -= first;
+  }
+  steps.push_back({all, left, infinite});
   return steps;
 }
 
@@ -69,10 +73,12 @@ try {
     closest = std::max(closest, contender.alternative.overlap.score);
   }
   std::stable_sort(contenders.begin(), contenders.end(), isMoreLikely);
-  contenders.front() = onSkinBeside(steps.back(), scorer, contenders.front());
+  const FinalStep whole{steps.back().points, this->max_iterations_,
+                        steps.back().most_behind};
+  contenders.front() = onSkinBeside(whole, scorer, contenders.front());
   preferNearest(guess.value_or(Eigen::Matrix4d::Identity()), scorer, contenders);
   if (settings_.estimate_scale)
-    contenders.front() = atScaleOne(steps.back(), scorer, contenders.front());
+    contenders.front() = atScaleOne(whole, scorer, contenders.front());
   return "";
 }
 catch (const kss::Stopped& stop) {
@@ -172,17 +178,21 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(const FinalSteps& steps,
   bool is_pose = true;
   int iterations = 0; // with all points
   for (const FinalStep& step : steps) {
-    is_pose = runICP(step, scorer, settings, pose);
-    if (!is_pose)
+    is_pose = runICP(step, iterations, scorer, settings, pose);
+    if (!is_pose) {
+      iterations = std::max(1, iterations + nr_iterations_);
       break;
+    }
     const bool are_all = step.points == steps.back().points;
     if (are_all)
       iterations += nr_iterations_;
     if (are_all && nr_iterations_ < step.iterations)
       break;
-    if (!rival)
+    if (!rival || std::isinf(step.most_behind))
       continue;
-    const Alternative so_far = scorer.scored(pose);
+    Alternative so_far = scorer.scored(pose);
+    if (kss::logOddsOf(so_far) < kss::logOddsOf(contender))
+      so_far = contender;
     if (kss::logOddsOf(so_far) < kss::logOddsOf(*rival) - step.most_behind &&
         !kss::areEquallyGood(so_far, *rival))
       return {so_far, {}};
@@ -212,6 +222,8 @@ KSSICP<PointSource, PointTarget, Scalar>::finalICP(const FinalSteps& steps,
     run.transformation = contender.transformation.template cast<Scalar>();
     run.converged = true;
     run.precision = {};
+    if (!is_pose)
+      run.correspondences.clear();
   }
   return {after, std::make_shared<Run>(run)};
 }
@@ -220,6 +232,7 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 bool
 KSSICP<PointSource, PointTarget, Scalar>::runICP(
     const FinalStep& step,
+    int before,
     const kss::PoseScorer& scorer,
     const kss::SurfaceStepSettings& settings,
     Eigen::Matrix4d& pose)
@@ -247,14 +260,14 @@ KSSICP<PointSource, PointTarget, Scalar>::runICP(
       dynamic_cast<kss::SurfaceEstimation<PointSource, PointTarget, Scalar>*>(
           this->transformation_estimation_.get());
   if (surfaces)
-    surfaces->start(scorer, step.points, target_->size(), pose, settings);
+    surfaces->start(scorer, step.points, target_->size(), pose, settings, before > 0);
   if (auto* const criteria =
           dynamic_cast<kss::FinalICPCriteria<Scalar>*>(convergence_criteria_.get())) {
     criteria->follow(surfaces ? &surfaces->last() : nullptr);
     // how many runs, and steps, there will be shows in the end
-    criteria->tell([this](int iterations) {
-      const double done =
-          final_runs_ - 1 + iterations / (iterations + kss::usual_steps);
+    criteria->tell([this, before](int iterations) {
+      const int made = before + iterations;
+      const double done = final_runs_ - 1 + made / (made + kss::usual_steps);
       stages_.progress(done / (done + 1.0));
     });
   }

@@ -47,6 +47,10 @@ constexpr int most_first_steps = 40;
  * may still gain changes the confidence in the better one by a hundredth at most. */
 constexpr double no_rival = 4.6;
 
+/** \brief A pose that its rival is ahead of by more than chance when it has made those
+ * steps with all points is left: right poses are at rest by then. */
+constexpr double left_behind = 0.0;
+
 /** \brief Steps of a run, about: what progress goes by. */
 constexpr double usual_steps = 10.0;
 

@@ -44,15 +44,18 @@ public:
    * \param[in] target_size number of points of the target
    * \param[in] pose where the run starts
    * \param[in] settings of the steps; the scale's bounds are those of the whole run
+   * \param[in] goes_on whether it goes on from where the run before has been left
    */
   void
   start(const PoseScorer& scorer,
         const typename PointCloud<PointSource>::ConstPtr& source,
         std::size_t target_size,
         const Eigen::Matrix4d& pose,
-        const SurfaceStepSettings& settings)
+        const SurfaceStepSettings& settings,
+        bool goes_on = false)
   {
     scorer_ = &scorer;
+    const double contraction = settings_.contraction;
     settings_ = settings;
     if (source_ != source) {
       source_ = source;
@@ -64,7 +67,10 @@ public:
     is_known_.resize(target_size, false);
     linear_ = pose.topLeftCorner<3, 3>();
     last_ = {};
-    moves_.clear();
+    if (goes_on)
+      settings_.contraction = contraction;
+    else
+      moves_.clear();
   }
 
   /** \brief Forget the clouds. */
