@@ -9,8 +9,10 @@
 #endif
 
 // Compiles a function twice, once with wide vectors for machines that have them; no
-// fused multiply-add, so that the bits are the same on every machine.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+// fused multiply-add, so that the bits are the same on every machine. Which of the two
+// is taken is asked before the thread sanitizer, which would watch it, is there.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) &&                 \
+    !defined(__SANITIZE_THREAD__)
 #define PCL_KSS_WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define PCL_KSS_WIDE
