@@ -115,6 +115,24 @@ TEST(KSSICP, TellsHowItWent)
   EXPECT_EQ(5u, registration.getStageSeconds().size());
 }
 
+TEST(KSSICP, IsTheSameForAnyNumberOfIterationsThatAreEnough)
+{
+  // a scale of one, which has a run of its own
+  const auto pair = pairOf(randomRigid(29));
+  const auto foundWithin = [&](int iterations) {
+    KSSICP registration;
+    registration.setMaximumIterations(iterations);
+    setClouds(registration, pair);
+    Cloud output;
+    registration.align(output);
+    EXPECT_TRUE(registration.hasConverged()) << iterations;
+    return registration.getFinalTransformation();
+  };
+  const Eigen::Matrix4f expected = foundWithin(300);
+  for (const int iterations : {39, 40, 41, 79, 80, 81})
+    EXPECT_EQ(expected, foundWithin(iterations)) << iterations;
+}
+
 TEST(KSSICP, HasTheInterfaceOfIterativeClosestPoint)
 {
   const auto pair = pairOf(randomSimilarity(7));
