@@ -5,7 +5,7 @@
 // A room: walls with a window and a door, a table with chairs, a sofa, a bookcase, a
 // cupboard, a lamp and things that lie about.
 
-#include "places.h"
+#include "place_builder.h"
 
 #include <cmath>
 #include <random>
@@ -15,10 +15,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-class Builder {
+class Builder : public PlaceBuilder {
 public:
   explicit Builder(unsigned int seed)
-  : random_(seed)
+  : PlaceBuilder(seed)
   {
     addWalls();
     addBookcase();
@@ -32,19 +32,7 @@ public:
                     {uniform(0.2, 0.45), uniform(0.15, 0.4), 0.24}, uniform(0.0, M_PI));
   }
 
-  const Place&
-  place() const
-  {
-    return place_;
-  }
-
 private:
-  double
-  uniform(double smallest, double largest)
-  {
-    return std::uniform_real_distribution<double>(smallest, largest)(random_);
-  }
-
   /** \brief A box by two corners. */
   void
   addBlock(const Vector3d& smallest, const Vector3d& largest)
@@ -187,9 +175,6 @@ private:
     place_.addCylinder(foot, 0.015, 1.5);
     place_.addCylinder(foot + Vector3d(0.0, 0.0, 1.45), 0.2, 0.28);
   }
-
-  std::mt19937 random_;
-  Place place_;
 };
 
 } // namespace

@@ -5,7 +5,7 @@
 // A street: houses with window recesses and balconies, kerbs, parked cars, lamp posts
 // and trees.
 
-#include "places.h"
+#include "place_builder.h"
 
 #include <cmath>
 #include <random>
@@ -13,10 +13,10 @@
 namespace benchmarks {
 namespace {
 
-class Builder {
+class Builder : public PlaceBuilder {
 public:
   explicit Builder(unsigned int seed)
-  : random_(seed)
+  : PlaceBuilder(seed)
   {
     slope_ = {uniform(-0.02, 0.02), uniform(-0.01, 0.01)};
     place_.addGround(slope_);
@@ -38,19 +38,7 @@ public:
                   {0.5 * length, 1.55, 0.6}, yaw);
   }
 
-  const Place&
-  place() const
-  {
-    return place_;
-  }
-
 private:
-  double
-  uniform(double smallest, double largest)
-  {
-    return std::uniform_real_distribution<double>(smallest, largest)(random_);
-  }
-
   double
   groundAt(double x, double y) const
   {
@@ -130,9 +118,7 @@ private:
     }
   }
 
-  std::mt19937 random_;
   Eigen::Vector2d slope_;
-  Place place_;
 };
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <pcl/registration/kss/detail/grid_index.h>
 #include <pcl/registration/kss/detail/points.h>
 
+#include "geometry/clouds.h"
 #include "support/rounded_up.h"
 
 #include <algorithm>
@@ -77,9 +78,9 @@ gridOver(const Eigen::Array3f& lower,
 inline BoundingGrid
 gridAround(const Points& cloud, float margin, std::size_t nodes, float largest)
 {
-  const Eigen::Array3f lower = cloud.rowwise().minCoeff(),
-                       upper = cloud.rowwise().maxCoeff();
-  BoundingGrid grid = gridOver(lower - margin, upper + margin, nodes, largest);
+  const Eigen::AlignedBox3f box = boxOf(cloud);
+  BoundingGrid grid =
+      gridOver(box.min().array() - margin, box.max().array() + margin, nodes, largest);
   grid.border = -1e30f;
   grid.largest_known = margin / grid.edge;
   return grid;

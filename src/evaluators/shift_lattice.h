@@ -67,7 +67,7 @@ public:
   }
 
   /** \brief Centres of a row, along z: their sums are a vector. Where few follow each
-   * other along z, several of them along y are a row together; see fold().
+   * other along z, several of them along y are a row together.
    */
   static constexpr int lanes = 16;
 

@@ -70,7 +70,7 @@ DistanceField::DistanceField(const Points& points, float cell, float margin)
   lower_ = box.min().array() - margin;
   if (!(cell > 0.0f)) // all points coincide
     cell = 1.0f;
-  const Eigen::Vector3f extent = (boxOf(points).max() - lower_).array() + margin;
+  const Eigen::Vector3f extent = (box.max() - lower_).array() + margin;
   for (;; cell *= 1.25f) {
     const Eigen::Array3d cells = (extent.cast<double>() / cell).array().floor() + 1.0;
     if (cells.prod() <= most_cells) {

@@ -17,11 +17,12 @@ namespace {
 
 /** Cells a few spacings wide: small enough for a short way to the nearest point, few
  * enough to be set up quickly. */
-float
-cellFor(const Points& points)
+DistanceField
+fieldFor(const Points& points)
 {
   const float extent = longestEdge(points);
-  return extent > 0.0f ? extent / 48.0f * coarseness(points) : 1.0f;
+  const float cell = extent > 0.0f ? extent / 48.0f * coarseness(points) : 1.0f;
+  return DistanceField(points, cell, 2.0f * cell);
 }
 
 } // namespace
@@ -40,7 +41,7 @@ NearestPoints::NearestPoints(Points points,
 , usual_spacing_(median(spacing_))
 , middle_(points_.rowwise().mean())
 , radius_(rootMeanSquareRadius(points_, middle_))
-, field_(points_, cellFor(points_), 2.0f * cellFor(points_))
+, field_(fieldFor(points_))
 {
   const Eigen::MatrixXi& indices = neighbourhoods.indices;
   for (Eigen::Index i = 0; i < points_.cols(); ++i)
