@@ -236,10 +236,10 @@ public:
     return settings_.largest_scale;
   }
 
-  /** \brief Set what the rotation is about: where both clouds are upright along an axis
-   * of their frames, as levelled scans are, fewer poses are tried, and less looks alike.
-   * A guess is turned upright; an estimation that is set by
-   * setTransformationEstimation() may tilt the result.
+  /** \brief Set what the rotation is about: where both clouds are upright along an
+   * axis of their frames, as levelled scans are, fewer poses are tried, and less looks
+   * alike; what is tilted by more than the noise is refused. A guess is turned upright;
+   * an estimation that is set by setTransformationEstimation() may tilt the result.
    */
   void
   setRotationAxis(kss::RotationAxis axis)
