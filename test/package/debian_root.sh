@@ -43,16 +43,12 @@ needs() {
   done | sed -E 's/, */\n/g' | grep -v pcl-kss-icp | sort -u | paste -sd ,
 }
 
-# remove NAME...: packages, and compares with before.txt
-remove() {
-  apt remove "$@"
-  files > "$root/tmp/removed.txt"
-  apt purge "$@"
-  files > "$root/tmp/purged.txt"
-  for state in removed purged; do
-    diff "$root/tmp/before.txt" "$root/tmp/$state.txt" || fail "files once $* are $state"
-  done
-  echo "$*: installed and removed, nothing left"
+# goes WORD NAME...: removes or purges packages, and compares with before.txt
+goes() {
+  apt "$@"
+  files > "$root/tmp/after.txt"
+  diff "$root/tmp/before.txt" "$root/tmp/after.txt" || fail "files after apt-get $*"
+  echo "$*: nothing is left"
 }
 
 echo "== Debian in $root"
@@ -85,7 +81,9 @@ awk 'function off(a, b) { return a - b > 0.01 || b - a > 0.01 }
   NR == 2 { bad += off($1, 2) + off($2, 0) + off($3, 0) + off($4, 0) }
   NR == 3 { bad += off($1, 0) + off($2, 0) + off($3, 2) + off($4, 0) }
   END { exit bad || NR != 4 }' "$root/tmp/pose.txt" || fail "the pose"
-remove pcl-kss-icp "$library"
+goes remove pcl-kss-icp "$library"
+apt install "${debs[@]}"
+goes purge pcl-kss-icp "$library"
 
 echo "== Programs that use the library"
 apt satisfy "$(needs "$library" libpcl-kss-icp-dev), g++, cmake, make, pkg-config"
@@ -103,7 +101,7 @@ inside /tmp/build/consumer > /dev/null || fail "the program that CMake has built
 inside sh -c 'g++ -std=c++17 -O1 /tmp/consumer/consumer.cpp -o /tmp/consumer/program \
   $(pkg-config --cflags --libs pcl_kss_icp)'
 inside /tmp/consumer/program > /dev/null || fail "the program that pkg-config helped to build"
-remove libpcl-kss-icp-dev "$library"
+goes purge libpcl-kss-icp-dev "$library"
 
 if ls "$root"/tmp/python3-pcl-kss-icp_*.deb > /dev/null 2>&1; then
   echo "== Python"
@@ -112,5 +110,5 @@ if ls "$root"/tmp/python3-pcl-kss-icp_*.deb > /dev/null 2>&1; then
   mapfile -t debs < <(packages "$library" python3-pcl-kss-icp)
   apt install "${debs[@]}"
   inside env PYTHONDONTWRITEBYTECODE=1 python3 -c 'import pcl_kss_icp' || fail "import"
-  remove python3-pcl-kss-icp "$library"
+  goes purge python3-pcl-kss-icp "$library"
 fi
