@@ -65,7 +65,7 @@ public:
       return Base::nearestKSearch(point, k, indices, squared_distances);
     }
     const NearestTwo found = packedTree().nearest(point.getVector3fMap().data());
-    const index_t found_indices[] = {found.nearest, found.second};
+    const std::int32_t found_indices[] = {found.nearest, found.second};
     const float found_squared[] = {found.squared, found.second_squared};
     int number = 0;
     while (number < k && found_indices[number] >= 0)
