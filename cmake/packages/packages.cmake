@@ -1,17 +1,18 @@
 # Debian packages, by `cpack -G DEB` in the build tree: one for each component that is
 # installed. Included last, when all that is installed has been said.
 #
-# The Python module is packaged where something is installed with COMPONENT python.
+# The Python package is made in a build tree of its own (PCL_KSS_ICP_BUILD_PYTHON): whatever
+# is installed with COMPONENT python is in it.
 
 get_cmake_property(components COMPONENTS)
 if("Unspecified" IN_LIST components)
   message(FATAL_ERROR "An install() names no COMPONENT: see cmake/install.cmake")
 endif()
-if(NOT BUILD_SHARED_LIBS OR NOT EXISTS /etc/debian_version)
+if(NOT BUILD_SHARED_LIBS OR NOT EXISTS /etc/debian_version OR DEFINED SKBUILD)
   return()
 endif()
-set(packages library development)
-foreach(component tool python)
+set(packages "")
+foreach(component library development tool python)
   if(component IN_LIST components)
     list(APPEND packages ${component})
   endif()
@@ -77,6 +78,8 @@ ${about}")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-pcl-kss-icp)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS python3-numpy)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "pocl-opencl-icd | opencl-icd")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION
 "registration of point clouds without a guess - Python module
 pcl_kss_icp for Python registers clouds that are NumPy arrays.

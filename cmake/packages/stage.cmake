@@ -5,6 +5,7 @@
 # cpack's own search for shared libraries would add scripts that call ldconfig, where
 # Debian has a trigger.
 
+cmake_policy(VERSION 3.19)
 set(source ${CMAKE_CURRENT_LIST_DIR}/../..)
 set(scratch ${CPACK_TEMPORARY_DIRECTORY}/../debian_files)
 set(version ${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})
@@ -45,19 +46,35 @@ configure_file(${source}/CHANGELOG.md ${scratch}/changelog COPYONLY)
 run(COMMAND gzip -9 --no-name ${scratch}/changelog ${scratch}/changelog.Debian)
 
 # What packages need of the library, and where dpkg-shlibdeps finds it.
-string(REGEX MATCH "[0-9.]+$" soversion ${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME})
-file(WRITE ${scratch}/shlibs "libpcl_kss_icp ${soversion} \
-${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (>= ${CPACK_PACKAGE_VERSION})\n")
-configure_file(${scratch}/shlibs ${scratch}/debian/shlibs.local COPYONLY)
 file(WRITE ${scratch}/debian/control "")
-file(GLOB library
-  ${CPACK_TEMPORARY_DIRECTORY}/library/usr/lib/*/libpcl_kss_icp.so.${soversion})
-if(NOT library)
-  message(FATAL_ERROR
-    "The library is not in lib/<architecture>: configure with --fresh, or with another "
-    "CMAKE_INSTALL_LIBDIR")
+set(library_folder ${CPACK_TEMPORARY_DIRECTORY})
+if("library" IN_LIST CPACK_COMPONENTS_ALL)
+  string(REGEX MATCH "[0-9.]+$" soversion ${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME})
+  file(WRITE ${scratch}/shlibs "libpcl_kss_icp ${soversion} \
+${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (>= ${CPACK_PACKAGE_VERSION})\n")
+  configure_file(${scratch}/shlibs ${scratch}/debian/shlibs.local COPYONLY)
+  file(GLOB library
+    ${CPACK_TEMPORARY_DIRECTORY}/library/usr/lib/*/libpcl_kss_icp.so.${soversion})
+  if(NOT library)
+    message(FATAL_ERROR
+      "The library is not in lib/<architecture>: configure with --fresh, or with another "
+      "CMAKE_INSTALL_LIBDIR")
+  endif()
+  get_filename_component(library_folder ${library} DIRECTORY)
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA
+    ${CMAKE_CURRENT_LIST_DIR}/triggers ${scratch}/shlibs)
 endif()
-get_filename_component(library_folder ${library} DIRECTORY)
+
+# Debian's own place for Python's packages, whichever one the build tree has.
+file(GLOB python_packages
+  ${CPACK_TEMPORARY_DIRECTORY}/python/usr/lib/python3.*/site-packages)
+if(python_packages)
+  file(MAKE_DIRECTORY ${CPACK_TEMPORARY_DIRECTORY}/python/usr/lib/python3)
+  file(RENAME ${python_packages}
+    ${CPACK_TEMPORARY_DIRECTORY}/python/usr/lib/python3/dist-packages)
+  get_filename_component(folder ${python_packages} DIRECTORY)
+  file(REMOVE_RECURSE ${folder})
+endif()
 
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   string(TOUPPER ${component} id)
@@ -78,6 +95,11 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
         run(COMMAND strip --strip-unneeded --remove-section=.comment ${file})
         file(RPATH_REMOVE FILE ${file}) # the loader finds all of it
         list(APPEND programs ${file})
+        if(file MATCHES "\\.cpython-3([0-9]+)-") # for that version of Python alone
+          math(EXPR next "${CMAKE_MATCH_1} + 1")
+          list(APPEND CPACK_DEBIAN_${id}_PACKAGE_DEPENDS
+            "python3 (>= 3.${CMAKE_MATCH_1}~), python3 (<< 3.${next})")
+        endif()
       endif()
     endif()
   endforeach()
@@ -91,6 +113,3 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
     list(JOIN CPACK_DEBIAN_${id}_PACKAGE_DEPENDS ", " CPACK_DEBIAN_${id}_PACKAGE_DEPENDS)
   endif()
 endforeach()
-
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA
-  ${CMAKE_CURRENT_LIST_DIR}/triggers ${scratch}/shlibs)

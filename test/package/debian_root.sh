@@ -4,6 +4,7 @@
 # programs with the library, removes the packages, and compares the files before and
 # after. As root, with debootstrap; takes ten minutes and 4 GB, most of it for libpcl-dev.
 #   (cd BUILD && cpack -G DEB) && test/package/debian_root.sh BUILD [ROOT]
+#     BUILD   a build tree; the Python package, too, if that is put into it
 #     ROOT    a folder for the bare Debian, which stays and is used again; otherwise a
 #             temporary one
 # MIRROR in the environment: of Debian, otherwise http://deb.debian.org/debian
@@ -22,7 +23,8 @@ trap tidy_up EXIT
 
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp LC_ALL=C.UTF-8 \
   DEBIAN_FRONTEND=noninteractive "$@"; }
-apt() { inside apt-get -qq -o Dpkg::Use-Pty=0 --no-install-recommends "$@" > "$root/tmp/apt.log" 2>&1 ||
+apt() { inside apt-get -qq -o Dpkg::Use-Pty=0 \
+  -o Dpkg::Options::=--force-unsafe-io --no-install-recommends "$@" > "$root/tmp/apt.log" 2>&1 ||
   { cat "$root/tmp/apt.log"; exit 1; }; }
 fail() { echo "FAILED: $*"; exit 1; }
 
@@ -105,10 +107,10 @@ goes purge libpcl-kss-icp-dev "$library"
 
 if ls "$root"/tmp/python3-pcl-kss-icp_*.deb > /dev/null 2>&1; then
   echo "== Python"
-  apt satisfy "$(needs "$library" python3-pcl-kss-icp)"
+  apt satisfy "$(needs python3-pcl-kss-icp)"
   files > "$root/tmp/before.txt"
-  mapfile -t debs < <(packages "$library" python3-pcl-kss-icp)
+  mapfile -t debs < <(packages python3-pcl-kss-icp)
   apt install "${debs[@]}"
-  inside env PYTHONDONTWRITEBYTECODE=1 python3 -c 'import pcl_kss_icp' || fail "import"
-  goes purge python3-pcl-kss-icp "$library"
+  inside python3 -c 'import pcl_kss_icp' || fail "import"
+  goes purge python3-pcl-kss-icp
 fi
