@@ -9,7 +9,9 @@ packages=(
   libboost-program-options-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev clang libclang-rt-dev
   python3-matplotlib python3-numpy
-  clang-format-14 doxygen)
+  clang-format-14 doxygen
+  pkg-config help2man man-db
+  dpkg-dev file lintian)
 
 missing=()
 for package in "${packages[@]}"; do
