@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
+#include "io/losses.h"
 #include "io/mesh_sampling.h"
 #include "io/read_geometry.h"
 #include "options.h"
@@ -14,6 +15,8 @@
 
 #include <pcl/console/print.h>
 #include <pcl/registration/kss/devices.h>
+
+#include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -60,6 +63,9 @@ Geometry
 read(const std::string& path, bool quiet)
 {
   Geometry geometry = readGeometry(path);
+  if (!quiet)
+    for (const auto& assumption : geometry.assumed)
+      complain("warning: " + path + ": " + assumption);
   if (!quiet && hasSinglePrecision(geometry) &&
       singlePrecisionIsCoarse(boundingBox(geometry)))
     complain("warning: " + path +
@@ -105,6 +111,19 @@ warnOfFarPoints(std::size_t number, const std::string& path)
              " far away from all others; the search went without");
 }
 
+/** Say what of the source the aligned file does not hold. */
+void
+warnOfLosses(const Geometry& source, const Options& options)
+{
+  if (options.aligned.empty() || options.quiet)
+    return;
+  const auto losses = lossesOf(source, fileFormatOf(options.aligned));
+  if (!losses.empty())
+    complain("warning: " + options.aligned + ": does not hold all of " + options.source +
+             "; lost are " +
+             boost::algorithm::join(losses, ", "));
+}
+
 int
 registerFiles(const Options& options)
 {
@@ -113,6 +132,7 @@ registerFiles(const Options& options)
   Geometry source = read(options.source, options.quiet);
   const Geometry target = read(options.target, options.quiet);
   outputs.checkFormat(source);
+  warnOfLosses(source, options);
   std::optional<Eigen::Matrix4d> guess;
   if (!options.guess.empty())
     guess = readTransformation(options.guess);
