@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
-#include "io/losses.h"
 #include "io/mesh_sampling.h"
 #include "io/read_geometry.h"
 #include "options.h"
@@ -113,15 +112,11 @@ warnOfFarPoints(std::size_t number, const std::string& path)
 
 /** Say what of the source the aligned file does not hold. */
 void
-warnOfLosses(const Geometry& source, const Options& options)
+warnOfLosses(const std::vector<std::string>& losses, const Options& options)
 {
-  if (options.aligned.empty() || options.quiet)
-    return;
-  const auto losses = lossesOf(source, fileFormatOf(options.aligned));
   if (!losses.empty())
-    complain("warning: " + options.aligned + ": does not hold all of " + options.source +
-             "; lost are " +
-             boost::algorithm::join(losses, ", "));
+    complain("warning: " + options.aligned + ": does not hold all of " +
+             options.source + "; lost are " + boost::algorithm::join(losses, ", "));
 }
 
 int
@@ -132,7 +127,7 @@ registerFiles(const Options& options)
   Geometry source = read(options.source, options.quiet);
   const Geometry target = read(options.target, options.quiet);
   outputs.checkFormat(source);
-  warnOfLosses(source, options);
+  const auto losses = outputs.lossesOf(source);
   std::optional<Eigen::Matrix4d> guess;
   if (!options.guess.empty())
     guess = readTransformation(options.guess);
@@ -143,6 +138,7 @@ registerFiles(const Options& options)
   if (!options.quiet && result.converged) {
     warnOfFarPoints(result.far_points.source, options.source);
     warnOfFarPoints(result.far_points.target, options.target);
+    warnOfLosses(losses, options);
   }
   if (!result.converged) {
     complain("not registered: " + result.reason);

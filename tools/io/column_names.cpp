@@ -109,10 +109,12 @@ findPosition(const Words& keys)
     naming[axis].insert(naming[axis].end(), more.begin(), more.end());
   }
   const std::array<Words, 3> of_maps{
-      Words{"easting", "eastings", "east", "eastingm", "rechtswert", "ostwert"},
-      Words{"northing", "northings", "north", "northingm", "hochwert", "nordwert"},
+      Words{"easting", "eastings", "east", "eastingm", "rechtswert", "ostwert",
+            "este", "est", "ost"},
+      Words{"northing", "northings", "north", "northingm", "hochwert",
+            "nordwert", "norte", "nord"},
       Words{"height", "elevation", "elev", "altitude", "alt", "heightm", "elevationm",
-            "hoehe", "hohe", "hhe", "ortho", "level"}};
+            "hoehe", "hohe", "hhe", "cota", "altura", "quota", "hauteur"}};
   for (std::size_t axis = 0; axis < 3; ++axis)
     naming[axis].insert(naming[axis].end(), of_maps[axis].begin(), of_maps[axis].end());
   const Columns columns = find(keys, naming);

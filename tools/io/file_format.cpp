@@ -6,6 +6,7 @@
 
 #include "file_bytes.h"
 #include "numbers.h"
+#include "text_encoding.h"
 #include "text_lines.h"
 
 #include <boost/algorithm/string/case_conv.hpp>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
@@ -202,9 +204,21 @@ fileFormatOf(const std::string& path, std::istream& stream)
     return *format;
   if (isForeign(extensionOf(path)) || !isText(start) ||
       start.find_first_of("0123456789") == std::string::npos)
-    throw std::runtime_error(
-        std::string("unknown extension, and no format that can be read; ") + USE);
+    throw std::runtime_error(path +
+                             ": unknown extension, and no format that can be read; " +
+                             USE);
   return FileFormat::TEXT;
+}
+
+FileFormat
+fileFormatLike(const std::string& path, const std::string& source)
+{
+  if (byExtension(path) || extensionOf(path) != extensionOf(source) ||
+      !std::filesystem::is_regular_file(source))
+    return fileFormatOf(path);
+  std::ifstream file(source, std::ios::binary);
+  const auto decoded = decodedUTF16(file);
+  return fileFormatOf(source, decoded ? *decoded : file);
 }
 
 } // namespace tool

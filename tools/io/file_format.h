@@ -36,4 +36,11 @@ fileFormatOf(const std::string& path);
 FileFormat
 fileFormatOf(const std::string& path, std::istream& stream);
 
+/** \brief The format of a file that is to be written: by its extension, or, where that is
+ * unknown, that of the file it is made of if both have the same extension.
+ * \throws std::runtime_error naming the file where neither tells
+ */
+FileFormat
+fileFormatLike(const std::string& path, const std::string& source);
+
 } // namespace tool

@@ -9,6 +9,8 @@
 
 #include <pcl/common/io.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -170,7 +172,8 @@ PCDHeader::PCDHeader(TextLines& lines)
     sensor_orientation = Eigen::Quaternionf(view[3], view[4], view[5], view[6]);
   }
 
-  const std::string& data = entries.words("DATA", 1)[0];
+  const std::string data =
+      boost::algorithm::to_lower_copy(entries.words("DATA", 1)[0]);
   static const std::map<std::string, Encoding> encodings{
       {"ascii", Encoding::ASCII},
       {"binary", Encoding::BINARY},

@@ -160,7 +160,9 @@ readGeometry(const std::string& path)
     throw std::runtime_error(path + ": needs more memory than there is");
   }
   catch (const std::exception& problem) {
-    throw std::runtime_error(path + ": " + problem.what());
+    const std::string message = problem.what();
+    throw std::runtime_error(message.find(path + ": ") == 0 ? message
+                                                            : path + ": " + message);
   }
 }
 

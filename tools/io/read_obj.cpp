@@ -216,7 +216,7 @@ private:
       const auto first = std::min(word.find('/'), word.size());
       const auto second = std::min(word.find('/', first + 1), word.size());
       Corner corner{indexOf(word.substr(0, first), points_.size()), NONE};
-      if (second < word.size())
+      if (second + 1 < word.size())
         corner.normal = indexOf(word.substr(second + 1), statements_.normals.size());
       face.corners.push_back(corner);
     }

@@ -9,6 +9,8 @@
 #include "text_rows.h"
 #include "text_table.h"
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -101,13 +103,17 @@ private:
   readTitleOrFirstRow()
   {
     std::optional<Delimiter> delimiter;
-    if (!isFirstRow(lines_.text(), titles_, delimiter))
+    if (!isFirstRow(lines_.text(), titles_, delimiter)) {
+      constexpr int most = 100; // more is prose
+      if (++lines_of_words_ > most)
+        lines_.fail("is no row of numbers, nor is any line before it");
       return addTitle("");
+    }
     lines_.cutComment();
     RowFormat format = delimiter ? RowFormat(lines_.text(), *delimiter)
                                  : RowFormat(lines_.text());
     splitColumns(lines_.text(), format.delimiter(), words_);
-    dropLast();
+    dropLast(headerOf(titles_, format.delimiter(), words_.size()).has_value());
     double number;
     if (words_.size() == 1 && !blocks_.areAnnounced() &&
         format.parse(words_[0], number))
@@ -135,7 +141,7 @@ private:
     table_.columns = columns;
     table_.kinds.assign(columns, TextTable::Kind::OPEN);
     for (std::size_t i = 0; i < columns; ++i)
-      if (header ? table_.isPosition(i) : true)
+      if (table_.isPosition(i))
         table_.kinds[i] = TextTable::Kind::NUMBERS;
   }
 
@@ -143,17 +149,17 @@ private:
   void
   tellOfTitles()
   {
-    for (auto title = titles_.rbegin(); title != titles_.rend(); ++title)
-      if (title->mark.empty()) {
-        if (title->text.compare(0, 5, "ncols") == 0 ||
-            title->text.compare(0, 5, "NCOLS") == 0)
-          throw std::runtime_error("is a grid of heights and no list of points; save "
-                                   "it as columns of x, y and z");
-        table_.assumed.push_back(
-            "line " + std::to_string(title->line) + " ('" + title->text.substr(0, 40) +
-            "') names no columns x, y and z; the first three were taken for them");
-        return;
-      }
+    const Title* title = unclearTitle(titles_, rows_->delimiter(), words_.size());
+    if (!title)
+      return;
+    if (boost::algorithm::istarts_with(title->text, "ncols") ||
+        boost::algorithm::istarts_with(titles_[0].text, "ncols"))
+      throw std::runtime_error("is a grid of heights and no list of points; save it as "
+                               "columns of x, y and z");
+    table_.assumed.push_back("line " + std::to_string(title->line) + " ('" +
+                             title->text.substr(0, 40) +
+                             "') names no columns x, y and z; the first three were "
+                             "taken for them");
   }
 
   void
@@ -162,7 +168,7 @@ private:
     if (lines_.text().find('#') != std::string::npos)
       lines_.cutComment();
     splitColumns(lines_.text(), rows_->delimiter(), words_);
-    dropLast();
+    dropLast(words_.size() <= table_.columns);
     double number;
     if (words_.size() == 1 && blocks_.areAnnounced() && rows_->parse(words_[0], number))
       return blocks_.announce(lines_, number);
@@ -175,11 +181,10 @@ private:
 
   /** Separators may stand at the end of lines, too, where there is no column. */
   void
-  dropLast()
+  dropLast(bool is_column)
   {
-    if (rows_ ? words_.size() == table_.columns + 1 : words_.size() > 1)
-      if (words_.back().empty())
-        words_.pop_back();
+    if (!is_column && words_.size() > 1 && words_.back().empty())
+      words_.pop_back();
   }
 
   void
@@ -193,7 +198,8 @@ private:
         ;
       else if (rows_->parse(words_[i], number)) {
         if (std::isfinite(number)) {
-          if (std::abs(number) > std::numeric_limits<float>::max())
+          if (table_.isPosition(i) &&
+              std::abs(number) > std::numeric_limits<float>::max())
             lines_.failAt(words_[i], "is larger than single precision can hold");
           kind = TextTable::Kind::NUMBERS;
         }
@@ -217,6 +223,7 @@ private:
   TextLines lines_;
   FileFormat format_;
   std::vector<Title> titles_;
+  int lines_of_words_ = 0;
   std::optional<RowFormat> rows_;
   std::vector<std::string_view> words_;
   Blocks blocks_;

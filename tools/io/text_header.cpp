@@ -46,6 +46,9 @@ wordsOf(const Title& title, Delimiter delimiter)
 Words
 namesOf(Words words, const Title& title, Delimiter delimiter, std::size_t columns)
 {
+  // a word before the names: "columns: x y z"
+  if (words.size() == columns + 1 && words.size() > 3 && words[0].back() == ':')
+    words.erase(words.begin());
   if (words.size() < 3 || words.size() > columns || columns > MOST_COLUMNS)
     return {};
   if (words.size() == columns)
@@ -78,14 +81,18 @@ isRowBelow(const Title& title, std::string_view line, Delimiter delimiter)
 {
   std::vector<std::string_view> words;
   splitColumns(line, delimiter, words);
+  RowFormat format(line, delimiter);
+  double ignored;
+  if (std::count_if(words.begin(), words.end(), [&](std::string_view word) {
+        return !word.empty() && format.parse(word, ignored);
+      }) < 3)
+    return false;
   const Words titles = wordsOf(title, delimiter);
   if (titles.size() < 3 || titles.size() > MOST_COLUMNS ||
       titles.size() != words.size())
     return false;
   try {
     const Words names = fieldNames(titles);
-    RowFormat format(line, delimiter);
-    double ignored;
     for (std::size_t i = 0; i < names.size(); ++i)
       if ((names[i] == "x" || names[i] == "y" || names[i] == "z") &&
           (words[i].empty() || !format.parse(words[i], ignored)))
@@ -129,6 +136,16 @@ headerOf(const std::vector<Title>& titles, Delimiter delimiter, std::size_t colu
   if (!problem.empty())
     throw std::runtime_error(problem);
   return std::nullopt;
+}
+
+const Title*
+unclearTitle(const std::vector<Title>& titles, Delimiter delimiter, std::size_t columns)
+{
+  for (auto title = titles.rbegin(); title != titles.rend(); ++title)
+    if (title->mark.empty() ||
+        (columns > 3 && wordsOf(*title, delimiter).size() == columns))
+      return &*title;
+  return nullptr;
 }
 
 bool

@@ -43,6 +43,14 @@ struct TextHeader {
 std::optional<TextHeader>
 headerOf(const std::vector<Title>& titles, Delimiter delimiter, std::size_t columns);
 
+/** \brief A title that may have been meant to name the columns, where none does; null
+ * where there is none such.
+ */
+const Title*
+unclearTitle(const std::vector<Title>& titles,
+             Delimiter delimiter,
+             std::size_t columns);
+
 /** \brief Whether a line is the first of the rows, and not another title.
  * \param[in] titles those before it
  * \param[out] delimiter of the rows, where a title tells

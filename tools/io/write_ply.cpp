@@ -171,9 +171,11 @@ encodingName(Storage storage)
 void
 writeComments(std::ostream& stream, const std::vector<std::string>& comments)
 {
-  for (const auto& comment : comments)
-    stream << (comment.compare(0, 9, "obj_info ") == 0 ? "" : "comment ") << comment
-           << '\n';
+  for (const auto& comment : comments) {
+    const bool is_for_programs = comment.compare(0, 9, "obj_info ") == 0 &&
+                                 comment.compare(9, 4, "num_") != 0; // a size
+    stream << (is_for_programs ? "" : "comment ") << comment << '\n';
+  }
 }
 
 void

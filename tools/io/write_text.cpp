@@ -20,6 +20,10 @@ isNamed(const pcl::PCLPointField& field)
 void
 addTitles(Row& row, const pcl::PCLPointField& field)
 {
+  std::string name = field.name;
+  std::replace_if(
+      name.begin(), name.end(),
+      [](char c) { return std::string(",;\" \t").find(c) != std::string::npos; }, '_');
   if (isPackedColour(field)) {
     for (const char* title : {"r", "g", "b"})
       row.addWord(title);
@@ -28,11 +32,11 @@ addTitles(Row& row, const pcl::PCLPointField& field)
   }
   else if (field.count > 1)
     for (pcl::uindex_t i = 0; i < field.count; ++i)
-      row.addWord(field.name + '_' + std::to_string(i));
+      row.addWord(name + '_' + std::to_string(i));
   else if (field.name.compare(0, 7, "normal_") == 0 && field.name.size() == 8)
-    row.addWord("n" + field.name.substr(7));
+    row.addWord("n" + name.substr(7));
   else
-    row.addWord(field.name);
+    row.addWord(name);
 }
 
 /** Whether readers know what is in the columns without names: positions come first, and
