@@ -64,10 +64,10 @@ checkWritten(const tool::Geometry& geometry, const std::string& path)
     return std::count_if(positions.begin(), positions.end(),
                          [](const auto& position) { return position.allFinite(); });
   };
-  for (const auto& [format, extension] :
-       {std::make_pair(FileFormat::PCD, ".pcd"), std::make_pair(FileFormat::PLY, ".ply"),
-        std::make_pair(FileFormat::TEXT, ".txt"),
-        std::make_pair(FileFormat::CSV, ".csv")}) {
+  for (const auto& [format, extension] : {std::make_pair(FileFormat::PCD, ".pcd"),
+                                          std::make_pair(FileFormat::PLY, ".ply"),
+                                          std::make_pair(FileFormat::TEXT, ".txt"),
+                                          std::make_pair(FileFormat::CSV, ".csv")}) {
     const std::string again = path + extension;
     std::ofstream stream(again, std::ios::binary);
     tool::writeGeometry(geometry, format, stream);

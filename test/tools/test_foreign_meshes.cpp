@@ -90,18 +90,21 @@ TEST_F(ForeignMeshes, OFF)
        {"c.off", "off\n4 2 5\n\n# points\n" + rows + "\n# faces\n" + two_faces},
        {"d.off", "OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n" + two_faces},
        {"e.off", "OFF 4 2 0 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3"},
-       {"f.off", "OFF\n4\n2\n0\n0\n0\n0\n1\n0\n0\n1\n1\n0\n0\n1\n0\n3\n0 1 2\n3 0\n2\n3\n"},
+       {"f.off",
+        "OFF\n4\n2\n0\n0\n0\n0\n1\n0\n0\n1\n1\n0\n0\n1\n0\n3\n0 1 2\n3 0\n2\n3\n"},
        {"g.off", "OFF\n4 2 0\n0 0 0 1\n0 0 1 1\n0 0 1 0\n3 0 1 2 3 0 2 3\n"},
-       {"h.off", "OFF\r\n4 2 0\r\n0 0 0\r\n1 0 0\r\n1 1 0\r\n0 1 0\r\n3  0 1 2\r\n3  0 2 "
-                 "3\r\n"},
+       {"h.off",
+        "OFF\r\n4 2 0\r\n0 0 0\r\n1 0 0\r\n1 1 0\r\n0 1 0\r\n3  0 1 2\r\n3  0 2 "
+        "3\r\n"},
        {"i.off", "COFF\n4 2 0\n0 0 0 255 0 0 255\n1 0 0 255 0 0 255\n1 1 0 0 0 9 255\n"
-                 "0 1 0 0 0 0 255\n" + two_faces},
+                 "0 1 0 0 0 0 255\n" +
+                     two_faces},
        {"j.off", "COFF4 2 0\n0 0 0 1 0 0\n1 0 0 0.5 0 0\n1 1 0 0 0 1\n0 1 0 0 0 0\n" +
                      two_faces},
-       {"k.off", "NOFF\n4 2 0\n0 0 0 0 0 1 1 0 0 0 0 1\n1 1 0 0 0 1 0 1 0 0 0 1\n" +
-                     two_faces},
-       {"l.off", "STOFF\n4 2 0\n0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 1 0 0 1\n" +
-                     two_faces},
+       {"k.off",
+        "NOFF\n4 2 0\n0 0 0 0 0 1 1 0 0 0 0 1\n1 1 0 0 0 1 0 1 0 0 0 1\n" + two_faces},
+       {"l.off",
+        "STOFF\n4 2 0\n0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 1 0 0 1\n" + two_faces},
        {"m.txt", "OFF\n4 2 0\n" + rows + two_faces}});
   const Geometry coloured =
       read("a.off", "OFF\n4 2 0\n" + rows + "3 0 1 2 255 0 0\n3 0 2 3 9\n");
@@ -112,12 +115,13 @@ TEST_F(ForeignMeshes, OFF)
   EXPECT_EQ(0.5, numberAt(readGeometry(path("again_j.off")), "red", 1));
   EXPECT_EQ(1.0, numberAt(readGeometry(path("again_k.off")), "normal_z", 3));
 
-  EXPECT_NE(std::string::npos,
-            refusal("a.off", "OFF\n4 2 0\n" + rows + "3 0 1\n3 0 2 3\n").find("line 7"));
+  EXPECT_NE(
+      std::string::npos,
+      refusal("a.off", "OFF\n4 2 0\n" + rows + "3 0 1\n3 0 2 3\n").find("line 7"));
   for (const std::string& wrong :
-       Names{"OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1\n" + two_faces, "OFF4\n", "OFF BINARY\n",
-        "OFF\n4 2 0 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2",
-        "OFF\n4 2 0 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3 1"})
+       Names{"OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1\n" + two_faces, "OFF4\n",
+             "OFF BINARY\n", "OFF\n4 2 0 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2",
+             "OFF\n4 2 0 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3 1"})
     EXPECT_NE("", refusal("a.off", wrong)) << wrong;
 }
 
@@ -148,9 +152,9 @@ TEST_F(ForeignMeshes, STLInText)
                 {"j.stl", "solid a\n" + first + "endsolid a\n\nsolid b\n" + second +
                               "endsolid b\n"},
                 {"k.txt", text}});
-  EXPECT_EQ(0u, contentOf(path("again_a.stl")).find("solid square\nfacet normal 0 0 1\n"));
-  EXPECT_EQ(Names{"the division into 2 solids"},
-            readGeometry(path("j.stl")).left_out);
+  EXPECT_EQ(0u,
+            contentOf(path("again_a.stl")).find("solid square\nfacet normal 0 0 1\n"));
+  EXPECT_EQ(Names{"the division into 2 solids"}, readGeometry(path("j.stl")).left_out);
 
   // text keeps digits that floats do not have
   const Geometry far = readGeometry(write("far.stl", farTetrahedron()));
@@ -181,7 +185,8 @@ TEST_F(ForeignMeshes, BinarySTL)
                 {"e.stl", file("COLOR=\x01\x02\x03\x04", 31744, "")},
                 {"f.dat", file("", 0, "")}});
   EXPECT_EQ(Names{}, readGeometry(path("a.stl")).left_out);
-  EXPECT_EQ(Names{"4 bytes behind the triangles"}, readGeometry(path("d.stl")).left_out);
+  EXPECT_EQ(Names{"4 bytes behind the triangles"},
+            readGeometry(path("d.stl")).left_out);
   EXPECT_EQ(Names{"attributes (colours) of triangles"},
             readGeometry(path("e.stl")).left_out);
   EXPECT_EQ(0u, contentOf(path("again_d.stl")).find("some program"));
@@ -238,16 +243,19 @@ TEST_F(ForeignMeshes, WhatPLYHoldsBesides)
   expectEqual(points_, positionsOf(lists), 0.0);
   EXPECT_EQ(Names{"property 'views' of points"}, lists.left_out);
 
-  for (const std::string property : {"uchar alpha", "uchar red", "float s", "uchar Red"}) {
+  for (const std::string property :
+       {"uchar alpha", "uchar red", "float s", "uchar Red"}) {
     const std::string name = property.substr(property.find(' ') + 1);
     const Geometry again = readGeometry(
         write("b.ply", read("a.ply", points("property " + property + "\n", "7"))));
     EXPECT_EQ(7.0, numberAt(again, name, 3)) << name;
   }
-  const std::string colours = "property uchar red\nproperty uchar green\nproperty uchar "
-                              "blue\n";
+  const std::string colours =
+      "property uchar red\nproperty uchar green\nproperty uchar "
+      "blue\n";
   std::string more = colours;
-  for (std::size_t at = 0; (at = more.find("uchar ", at)) != std::string::npos; at += 14)
+  for (std::size_t at = 0; (at = more.find("uchar ", at)) != std::string::npos;
+       at += 14)
     more.insert(at + 6, "diffuse_");
   const Geometry two = read("c.ply", points(colours + more, "1 2 3 4 5 6"));
   EXPECT_EQ(5.0, numberAt(two, "diffuse_green", 0));
@@ -289,11 +297,12 @@ TEST_F(ForeignMeshes, FacesOfManyCorners)
 TEST_F(ForeignMeshes, OBJKeepsAllStatements)
 {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-  for (const std::string& content : Names{
-       "mtllib a b.mtl\no square\n" + points +
-            "vt 0 0\nvt 0.5 1\nvn 0 0 1\nvn 0 1 0\ng one two\nusemtl skin\ns 1\n"
-            "f 1/1/1 2/2/1 3/1/1\ns off\nf 1/1/2 3/1/2 4/2/2\nl 1 2 3\np 4\n",
-        points + "f -4 -3 -2\nf -4 -2 -1\n", "g\n" + points + "f 1 2 3\nf 1 3 4\n"}) {
+  for (const std::string& content :
+       Names{"mtllib a b.mtl\no square\n" + points +
+                 "vt 0 0\nvt 0.5 1\nvn 0 0 1\nvn 0 1 0\ng one two\nusemtl skin\ns 1\n"
+                 "f 1/1/1 2/2/1 3/1/1\ns off\nf 1/1/2 3/1/2 4/2/2\nl 1 2 3\np 4\n",
+             points + "f -4 -3 -2\nf -4 -2 -1\n",
+             "g\n" + points + "f 1 2 3\nf 1 3 4\n"}) {
     SCOPED_TRACE(content);
     const Geometry mesh = read("a.obj", content);
     EXPECT_EQ(content, contentOf(write("b.obj", mesh)));
@@ -309,16 +318,19 @@ TEST_F(ForeignMeshes, OBJKeepsAllStatements)
 
   // objects and groups of points alone, points that no face uses, and large coordinates
   EXPECT_EQ(4u, numberOfPoints(read("c.obj", "o cloud\n" + points).cloud));
-  EXPECT_EQ(4u, numberOfPoints(read("d.obj", "mtllib m\ng c\nusemtl s\n" + points).cloud));
+  EXPECT_EQ(4u,
+            numberOfPoints(read("d.obj", "mtllib m\ng c\nusemtl s\n" + points).cloud));
   const Geometry loose = read("e.obj", points + "f 1 2 3\n");
   EXPECT_EQ(4u, numberOfPoints(readGeometry(write("f.obj", loose)).cloud));
   EXPECT_EQ((Names{"points that no face uses"}), lossesOf(loose, FileFormat::STL));
   const std::string far = "v 399508.041 5462813.681 749.51\n";
   EXPECT_EQ(far, contentOf(write("h.obj", read("g.obj", far))));
   // by its content
-  EXPECT_EQ(2u, read("i.txt", "# Blender\no a\n" + points + "f 1 2 3\nf 1 3 4\n").faces.size());
-  EXPECT_NE(std::string::npos, contentOf(write("k.obj", read("j.obj", points)))
-                                   .find("v 1 1 0\n"));
+  EXPECT_EQ(
+      2u,
+      read("i.txt", "# Blender\no a\n" + points + "f 1 2 3\nf 1 3 4\n").faces.size());
+  EXPECT_NE(std::string::npos,
+            contentOf(write("k.obj", read("j.obj", points))).find("v 1 1 0\n"));
 }
 
 TEST_F(ForeignMeshes, HeadersOfPCD)
@@ -327,11 +339,11 @@ TEST_F(ForeignMeshes, HeadersOfPCD)
     return "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n" + sizes +
            "DATA ascii\n" + rows + more;
   };
-  for (const std::string& content : Names{
-        pcd("WIDTH 4\nHEIGHT 1\nPOINTS 4\n"), pcd("WIDTH 4\nHEIGHT 1\n"),
-        pcd("POINTS 4\n"), pcd("HEIGHT 1\nPOINTS 4\n"), pcd("WIDTH 2\nPOINTS 4\n"),
-        pcd("WIDTH 4\n"), pcd("HEIGHT 2\nPOINTS 4\n"), pcd("WIDTH 4\n", "# the end\n"),
-        pcd("WIDTH 4\n", "\n#\n# end\n\n")}) {
+  for (const std::string& content :
+       Names{pcd("WIDTH 4\nHEIGHT 1\nPOINTS 4\n"), pcd("WIDTH 4\nHEIGHT 1\n"),
+             pcd("POINTS 4\n"), pcd("HEIGHT 1\nPOINTS 4\n"), pcd("WIDTH 2\nPOINTS 4\n"),
+             pcd("WIDTH 4\n"), pcd("HEIGHT 2\nPOINTS 4\n"),
+             pcd("WIDTH 4\n", "# the end\n"), pcd("WIDTH 4\n", "\n#\n# end\n\n")}) {
     SCOPED_TRACE(content);
     for (const std::string name : {"a.pcd", "a.txt"})
       expectEqual(points_, positionsOf(read(name, content)), 0.0);
@@ -351,7 +363,8 @@ TEST_F(ForeignMeshes, PCDKeepsItsStorage)
   Geometry cloud = fieldsOfAllKinds();
   cloud.sensor_origin << 1, 2, 3, 0;
   for (const auto& [storage, word] :
-       {std::make_pair(Storage::TEXT, "ascii"), std::make_pair(Storage::BINARY, "binary"),
+       {std::make_pair(Storage::TEXT, "ascii"),
+        std::make_pair(Storage::BINARY, "binary"),
         std::make_pair(Storage::COMPRESSED, "binary_compressed")}) {
     SCOPED_TRACE(word);
     cloud.storage = storage;

@@ -63,7 +63,8 @@ protected:
   againOf(const std::string& name)
   {
     const auto extension = std::filesystem::path(name).extension();
-    const bool is_known = extension != "" && extension != ".cloud" && extension != ".001";
+    const bool is_known =
+        extension != "" && extension != ".cloud" && extension != ".001";
     return "again_" + name + (is_known ? "" : ".txt");
   }
 
@@ -124,8 +125,8 @@ TEST_F(ForeignText, Numbers)
        {"r.csv", "\"x\",\"y\",\"z\"\n1.5,-2.25,3000\nNA,NA,NA\n4.5,5,-6.125\n"},
        {"pandas.csv", "x,y,z\n1.5,-2.25,3000\n,,\n4.5,5,-6.125\n"},
        {"tiny.dat", "1.5 -2.25 3000\n 4.5 5 -6.125\n"}});
-  expectEqual({{0, 0, 0.5}},
-              positionsOf(read("a.dat", "0.1234-301 -0.5-200 0.5\n")), 1e-150);
+  expectEqual({{0, 0, 0.5}}, positionsOf(read("a.dat", "0.1234-301 -0.5-200 0.5\n")),
+              1e-150);
   // decimal signs that contradict each other may be anything
   EXPECT_NE("", refusal("a.csv", "1,5;2,5;3,5\n1.234;5,5;6,5\n"));
   EXPECT_NE("", refusal("a.csv", "1.5;2.5;3.5\n1,5;5.5;6.5\n"));
@@ -165,8 +166,9 @@ TEST_F(ForeignText, NamesOfColumns)
        {"zyx.txt", "z y x\n" + reversed},
        {"paraview.csv", "\"intensity\",\"Points:0\",\"Points:1\",\"Points:2\"\n7,1.5,-"
                         "2.25,3000\n8,4.5,5,-6.125\n"},
-       {"paraview5.csv", "intensity,Points_0,Points_1,Points_2\n7,1.5,-2.25,3000\n8,4.5,"
-                         "5,-6.125\n"},
+       {"paraview5.csv",
+        "intensity,Points_0,Points_1,Points_2\n7,1.5,-2.25,3000\n8,4.5,"
+        "5,-6.125\n"},
        {"index.csv", ",x,y,z\n0,1.5,-2.25,3000\n1,4.5,5,-6.125\n"},
        {"r.txt", "\"x\" \"y\" \"z\"\n\"1\" 1.5 -2.25 3000\n\"2\" 4.5 5 -6.125\n"},
        {"coords.csv", "x_coord,y_coord,z_coord\n1.5,-2.25,3000\n4.5,5,-6.125\n"},
@@ -182,8 +184,8 @@ TEST_F(ForeignText, NamesOfColumns)
        {"colon.txt", "# columns: x y z\n" + rows},
        {"colon_id.txt", "# columns: id x y z\n" + numbered},
        {"este.csv", "Punto;Norte;Este;Cota\n7;-2,25;1,5;3000\n8;5;4,5;-6,125\n"},
-       {"comments.txt", "# made by a scanner\n# at noon, 12:00\n# x y z\n" + rows +
-                            "# the end\n"}});
+       {"comments.txt",
+        "# made by a scanner\n# at noon, 12:00\n# x y z\n" + rows + "# the end\n"}});
   for (const std::string title : {"made by hand", "a b c", "Scan 12", "C1 C2 C3"}) {
     const Geometry guessed = read("a.txt", title + "\n1 2 3\n");
     ASSERT_EQ(1u, guessed.assumed.size()) << title;
@@ -192,23 +194,25 @@ TEST_F(ForeignText, NamesOfColumns)
   }
   EXPECT_EQ(1u, read("a.txt", "# id lat lon h\n1 2 3 4\n").assumed.size());
   EXPECT_EQ(0u, read("a.txt", "# made by hand\n1 2 3\n").assumed.size());
-  EXPECT_NE(std::string::npos,
-            refusal("a.csv", "id,x,y\n1,2,3\n").find("line 1: names 'x' and 'y' alone"));
+  EXPECT_NE(
+      std::string::npos,
+      refusal("a.csv", "id,x,y\n1,2,3\n").find("line 1: names 'x' and 'y' alone"));
   EXPECT_NE("", refusal("a.csv", "lat,lon,height\n1,2,3\n"));
-  EXPECT_NE(std::string::npos, refusal("a.asc", "ncols 3\nnrows 2\n1 2 3\n4 5 6\n")
-                                   .find("grid of heights"));
+  EXPECT_NE(
+      std::string::npos,
+      refusal("a.asc", "ncols 3\nnrows 2\n1 2 3\n4 5 6\n").find("grid of heights"));
 }
 
 TEST_F(ForeignText, WhatColumnsMean)
 {
   // the rotation turns normals, wherever they stand, and nothing else
-  for (const auto& [name, content] :
-       Files{{"a.txt", "//X Y Z R G B Nx Ny Nz\n1 2 3 255 128 0 1 0 0\n"},
-             {"b.csv", "x,y,z,nx,ny,nz,red,green,blue\n1,2,3,1,0,0,255,128,0\n"},
-             {"c.csv", "NormalX;NormalY;NormalZ;R;G;B;X;Y;Z\n1;0;0;255;128;0;1;2;3\n"},
-             {"d.txt", "x y z normal_x normal_y normal_z r g b\n1 2 3 1 0 0 255 128 0\n"},
-             {"e.csv", "Points:0,Points:1,Points:2,Normals:0,Normals:1,Normals:2,RGB:0,"
-                       "RGB:1,RGB:2\n1,2,3,1,0,0,255,128,0\n"}}) {
+  for (const auto& [name, content] : Files{
+           {"a.txt", "//X Y Z R G B Nx Ny Nz\n1 2 3 255 128 0 1 0 0\n"},
+           {"b.csv", "x,y,z,nx,ny,nz,red,green,blue\n1,2,3,1,0,0,255,128,0\n"},
+           {"c.csv", "NormalX;NormalY;NormalZ;R;G;B;X;Y;Z\n1;0;0;255;128;0;1;2;3\n"},
+           {"d.txt", "x y z normal_x normal_y normal_z r g b\n1 2 3 1 0 0 255 128 0\n"},
+           {"e.csv", "Points:0,Points:1,Points:2,Normals:0,Normals:1,Normals:2,RGB:0,"
+                     "RGB:1,RGB:2\n1,2,3,1,0,0,255,128,0\n"}}) {
     SCOPED_TRACE(content);
     const Geometry turned = readGeometry(
         write("again_" + name, transformed(read(name, content), quarterTurn())));
@@ -231,9 +235,11 @@ TEST_F(ForeignText, WhatColumnsMean)
 TEST_F(ForeignText, NormalsWithoutNames)
 {
   // some could not be estimated
-  EXPECT_EQ(3u, normalsOf(read("a.xyz", "1 2 3 1 0 0\n4 5 6 0 0 0\n7 8 9 0 1 0\n")).size());
+  EXPECT_EQ(3u,
+            normalsOf(read("a.xyz", "1 2 3 1 0 0\n4 5 6 0 0 0\n7 8 9 0 1 0\n")).size());
   EXPECT_EQ(1u, normalsOf(read("b.xyz", "1 2 3 9 8 7 0.6 0 0.8\n")).size());
-  EXPECT_EQ(0u, normalsOf(read("c.xyz", "1 2 3 0 0 0\n4 5 6 0 0 0\n7 8 9 0 1 0\n")).size());
+  EXPECT_EQ(0u,
+            normalsOf(read("c.xyz", "1 2 3 0 0 0\n4 5 6 0 0 0\n7 8 9 0 1 0\n")).size());
   EXPECT_EQ(0u, normalsOf(read("d.xyz", "1 2 3 9 0 0 1\n4 5 6 9 0 1 0\n")).size());
   EXPECT_EQ(0u, normalsOf(read("e.xyz", "1 2 3 1 0 0\n4 5 6 1 1 0\n")).size());
 }
@@ -262,11 +268,12 @@ TEST_F(ForeignText, ColumnsOfWordsAreLeftOut)
 
 TEST_F(ForeignText, BlocksWithCounts)
 {
-  expectPoints({{"a.pts", "1\n1.5 -2.25 3000 -1042 90 80 70\n1\n4.5 5 -6.125 3 1 2 3\n"},
-                {"b.pts", "2\n1.5 -2.25 3000 0.5\n4.5 5 -6.125 0.25\n"},
-                {"c.pts", "2\n1.5 -2.25 3000 1 2 3\n4.5 5 -6.125 4 5 6\n"},
-                {"d.pts", "2\r\n1.5 -2.25 3000 1 0 0\r\n4.5 5 -6.125 0 1 0\r\n"},
-                {"e.pts", "1\n1.5 -2.25 3000\n0\n1\n4.5 5 -6.125\n"}});
+  expectPoints(
+      {{"a.pts", "1\n1.5 -2.25 3000 -1042 90 80 70\n1\n4.5 5 -6.125 3 1 2 3\n"},
+       {"b.pts", "2\n1.5 -2.25 3000 0.5\n4.5 5 -6.125 0.25\n"},
+       {"c.pts", "2\n1.5 -2.25 3000 1 2 3\n4.5 5 -6.125 4 5 6\n"},
+       {"d.pts", "2\r\n1.5 -2.25 3000 1 0 0\r\n4.5 5 -6.125 0 1 0\r\n"},
+       {"e.pts", "1\n1.5 -2.25 3000\n0\n1\n4.5 5 -6.125\n"}});
   const Geometry points = read("a.pts", "1\n1.5 -2.25 3000 -1042 90 80 70\n");
   EXPECT_EQ(-1042, numberAt(points, "intensity", 0));
   EXPECT_TRUE(findField(points.cloud, "rgb"));
@@ -303,7 +310,8 @@ TEST_F(ForeignText, ScansOfPTX)
             getColour(*findField(again.cloud, "rgb"),
                       &again.cloud.data[again.cloud.point_step]));
   expectEqual({{1, 2, 3}},
-              positionsOf(read("a.ptx", "1\r\n1\r\n" + identity + "1 2 3 0.5\r\n")), 0.0);
+              positionsOf(read("a.ptx", "1\r\n1\r\n" + identity + "1 2 3 0.5\r\n")),
+              0.0);
 
   EXPECT_NE("", refusal("a.ptx", scans.substr(0, scans.size() - 16)));
   EXPECT_NE("", refusal("a.ptx", "2\n1\n" + identity + "1 2 3 0.5\n"));

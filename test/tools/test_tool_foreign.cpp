@@ -79,8 +79,9 @@ matrixIn(const std::filesystem::path& path)
 std::size_t
 finitePoints(const tool::Points& points)
 {
-  return static_cast<std::size_t>(std::count_if(
-      points.begin(), points.end(), [](const auto& point) { return point.allFinite(); }));
+  return static_cast<std::size_t>(
+      std::count_if(points.begin(), points.end(),
+                    [](const auto& point) { return point.allFinite(); }));
 }
 
 class ForeignFiles : public kss_test::OwnFolder {

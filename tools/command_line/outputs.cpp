@@ -55,7 +55,8 @@ Outputs::checkFormat(const Geometry& source) const
 std::vector<std::string>
 Outputs::lossesOf(const Geometry& source) const
 {
-  return aligned_ ? tool::lossesOf(source, aligned_format_) : std::vector<std::string>();
+  return aligned_ ? tool::lossesOf(source, aligned_format_)
+                  : std::vector<std::string>();
 }
 
 void

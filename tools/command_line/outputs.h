@@ -38,7 +38,8 @@ public:
   void
   write(const Result& result, Geometry source);
 
-  /** \brief What of the source the aligned file does not hold, in words for the user. */
+  /** \brief What of the source the aligned file does not hold, in words for the user.
+   */
   std::vector<std::string>
   lossesOf(const Geometry& source) const;
 

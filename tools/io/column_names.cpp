@@ -89,12 +89,13 @@ numbered(std::size_t axis, const Words& prefixes, std::size_t first)
   return compose(prefixes, {std::to_string(axis + first)}, {""});
 }
 
-const Words POSITION_PREFIXES{"",       "p",          "pos",         "position",
-                              "point",  "points",     "coord",       "coords",
+const Words POSITION_PREFIXES{"",           "p",           "pos",       "position",
+                              "point",      "points",      "coord",     "coords",
                               "coordinate", "coordinates", "cartesian", "utm",
-                              "world",  "xyz",        "location",    "v"};
-const Words POSITION_SUFFIXES{"",  "coord", "coords", "coordinate", "coordinates",
-                              "pos", "position", "m", "mm", "cm", "utm", "value"};
+                              "world",      "xyz",         "location",  "v"};
+const Words POSITION_SUFFIXES{"",    "coord",    "coords", "coordinate", "coordinates",
+                              "pos", "position", "m",      "mm",         "cm",
+                              "utm", "value"};
 
 Columns
 findPosition(const Words& keys)
@@ -109,10 +110,10 @@ findPosition(const Words& keys)
     naming[axis].insert(naming[axis].end(), more.begin(), more.end());
   }
   const std::array<Words, 3> of_maps{
-      Words{"easting", "eastings", "east", "eastingm", "rechtswert", "ostwert",
-            "este", "est", "ost"},
-      Words{"northing", "northings", "north", "northingm", "hochwert",
-            "nordwert", "norte", "nord"},
+      Words{"easting", "eastings", "east", "eastingm", "rechtswert", "ostwert", "este",
+            "est", "ost"},
+      Words{"northing", "northings", "north", "northingm", "hochwert", "nordwert",
+            "norte", "nord"},
       Words{"height", "elevation", "elev", "altitude", "alt", "heightm", "elevationm",
             "hoehe", "hohe", "hhe", "cota", "altura", "quota", "hauteur"}};
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -129,7 +130,8 @@ findPosition(const Words& keys)
     others.push_back({numbered(0, numbered_prefixes, first),
                       numbered(1, numbered_prefixes, first),
                       numbered(2, numbered_prefixes, first)});
-  others.push_back({numbered(0, {"x"}, 1), numbered(1, {"x"}, 1), numbered(2, {"x"}, 1)});
+  others.push_back(
+      {numbered(0, {"x"}, 1), numbered(1, {"x"}, 1), numbered(2, {"x"}, 1)});
   for (const auto& other : others) {
     const Columns found = find(keys, other);
     if (areComplete(found))

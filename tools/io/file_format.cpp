@@ -38,18 +38,18 @@ std::optional<FileFormat>
 byExtension(const std::string& path)
 {
   static const std::map<std::string, FileFormat> formats{
-      {".pcd", FileFormat::PCD},     {".ply", FileFormat::PLY},
-      {".obj", FileFormat::OBJ},     {".stl", FileFormat::STL},
-      {".off", FileFormat::OFF},     {".coff", FileFormat::OFF},
-      {".noff", FileFormat::OFF},    {".cnoff", FileFormat::OFF},
-      {".csv", FileFormat::CSV},     {".pts", FileFormat::PTS},
-      {".ptx", FileFormat::PTX},     {".xyz", FileFormat::TEXT},
-      {".txt", FileFormat::TEXT},    {".asc", FileFormat::TEXT},
-      {".xyzn", FileFormat::TEXT},   {".xyzrgb", FileFormat::TEXT},
-      {".xyzi", FileFormat::TEXT},   {".neu", FileFormat::TEXT},
-      {".dat", FileFormat::TEXT},    {".tsv", FileFormat::TEXT},
-      {".tab", FileFormat::TEXT},    {".ascii", FileFormat::TEXT},
-      {".3d", FileFormat::TEXT},     {".xyb", FileFormat::TEXT},
+      {".pcd", FileFormat::PCD},   {".ply", FileFormat::PLY},
+      {".obj", FileFormat::OBJ},   {".stl", FileFormat::STL},
+      {".off", FileFormat::OFF},   {".coff", FileFormat::OFF},
+      {".noff", FileFormat::OFF},  {".cnoff", FileFormat::OFF},
+      {".csv", FileFormat::CSV},   {".pts", FileFormat::PTS},
+      {".ptx", FileFormat::PTX},   {".xyz", FileFormat::TEXT},
+      {".txt", FileFormat::TEXT},  {".asc", FileFormat::TEXT},
+      {".xyzn", FileFormat::TEXT}, {".xyzrgb", FileFormat::TEXT},
+      {".xyzi", FileFormat::TEXT}, {".neu", FileFormat::TEXT},
+      {".dat", FileFormat::TEXT},  {".tsv", FileFormat::TEXT},
+      {".tab", FileFormat::TEXT},  {".ascii", FileFormat::TEXT},
+      {".3d", FileFormat::TEXT},   {".xyb", FileFormat::TEXT},
       {".prn", FileFormat::TEXT}};
   const auto format = formats.find(extensionOf(path));
   if (format == formats.end())
@@ -81,9 +81,8 @@ holdsNumbers(TextLines& lines, std::size_t number)
   const auto& words = lines.words();
   double ignored;
   return words.size() == number &&
-         std::all_of(words.begin(), words.end(), [&](std::string_view word) {
-           return parseNumber(word, ignored);
-         });
+         std::all_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return parseNumber(word, ignored); });
 }
 
 /** Whether a file starts as a PTX file does: two counts, where the scanner stood, and a
@@ -146,9 +145,8 @@ byContent(const std::string& start, std::uint64_t size)
     const std::string all = boost::algorithm::to_lower_copy(start);
     if (line == "ply")
       return FileFormat::PLY;
-    if (startsWith(line, "# .pcd") ||
-        (all.find("\nfields ") < all.find("\ndata ") &&
-         all.find("\ndata ") != std::string::npos))
+    if (startsWith(line, "# .pcd") || (all.find("\nfields ") < all.find("\ndata ") &&
+                                       all.find("\ndata ") != std::string::npos))
       return FileFormat::PCD;
     if (startsWith(line, "solid") && all.find("facet") != std::string::npos)
       return FileFormat::STL;
@@ -204,9 +202,8 @@ fileFormatOf(const std::string& path, std::istream& stream)
     return *format;
   if (isForeign(extensionOf(path)) || !isText(start) ||
       start.find_first_of("0123456789") == std::string::npos)
-    throw std::runtime_error(path +
-                             ": unknown extension, and no format that can be read; " +
-                             USE);
+    throw std::runtime_error(
+        path + ": unknown extension, and no format that can be read; " + USE);
   return FileFormat::TEXT;
 }
 

@@ -28,16 +28,16 @@ enum class FileFormat {
 FileFormat
 fileFormatOf(const std::string& path);
 
-/** \brief The format of a file that is there: by how it starts where that tells, else by
- * its extension, else text.
+/** \brief The format of a file that is there: by how it starts where that tells, else
+ * by its extension, else text.
  * \param[in] stream at its beginning, where it is left
  * \throws std::runtime_error where it is of another format
  */
 FileFormat
 fileFormatOf(const std::string& path, std::istream& stream);
 
-/** \brief The format of a file that is to be written: by its extension, or, where that is
- * unknown, that of the file it is made of if both have the same extension.
+/** \brief The format of a file that is to be written: by its extension, or, where that
+ * is unknown, that of the file it is made of if both have the same extension.
  * \throws std::runtime_error naming the file where neither tells
  */
 FileFormat

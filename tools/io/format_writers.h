@@ -34,8 +34,8 @@ writeOBJ(std::ostream& stream, const Geometry& geometry);
 void
 writeOFF(std::ostream& stream, const Geometry& geometry);
 
-/** \brief Write an STL file with the triangles that the faces consist of: binary, unless
- * they were read as text or floats would be too coarse. */
+/** \brief Write an STL file with the triangles that the faces consist of: binary,
+ * unless they were read as text or floats would be too coarse. */
 void
 writeSTL(std::ostream& stream, const Geometry& geometry);
 

@@ -79,9 +79,9 @@ lossesOf(const Geometry& geometry, FileFormat format)
                     [](const auto& face) { return face.vertices.size() > 3; }))
       losses.push_back("faces of more than three corners, which become triangles");
   }
-  const bool has_sensor = !geometry.sensor_origin.isZero(0.0f) ||
-                          geometry.sensor_orientation.coeffs() !=
-                              Eigen::Quaternionf::Identity().coeffs();
+  const bool has_sensor =
+      !geometry.sensor_origin.isZero(0.0f) ||
+      geometry.sensor_orientation.coeffs() != Eigen::Quaternionf::Identity().coeffs();
   if (has_sensor && format != FileFormat::PCD)
     losses.push_back("where the sensor stood");
   return losses;

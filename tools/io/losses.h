@@ -12,8 +12,8 @@
 
 namespace tool {
 
-/** \brief What of a file's content is lost where it is written in a format, in words for
- * the user: what was not read, and what the format has no room for.
+/** \brief What of a file's content is lost where it is written in a format, in words
+ * for the user: what was not read, and what the format has no room for.
  */
 std::vector<std::string>
 lossesOf(const Geometry& geometry, FileFormat format);

@@ -172,8 +172,7 @@ PCDHeader::PCDHeader(TextLines& lines)
     sensor_orientation = Eigen::Quaternionf(view[3], view[4], view[5], view[6]);
   }
 
-  const std::string data =
-      boost::algorithm::to_lower_copy(entries.words("DATA", 1)[0]);
+  const std::string data = boost::algorithm::to_lower_copy(entries.words("DATA", 1)[0]);
   static const std::map<std::string, Encoding> encodings{
       {"ascii", Encoding::ASCII},
       {"binary", Encoding::BINARY},

@@ -136,11 +136,14 @@ private:
   void
   addOther(const std::string& keyword)
   {
-    static const std::map<std::string, std::string> names{
-        {"vt", "texture coordinates"}, {"usemtl", "materials"},
-        {"mtllib", "materials"},       {"g", "groups"},
-        {"o", "objects"},              {"s", "smoothing groups"},
-        {"l", "lines"},                {"p", "point elements"}};
+    static const std::map<std::string, std::string> names{{"vt", "texture coordinates"},
+                                                          {"usemtl", "materials"},
+                                                          {"mtllib", "materials"},
+                                                          {"g", "groups"},
+                                                          {"o", "objects"},
+                                                          {"s", "smoothing groups"},
+                                                          {"l", "lines"},
+                                                          {"p", "point elements"}};
     const auto name = names.find(keyword);
     auto& others = statements_.others;
     std::string other = name == names.end() ? "'" + keyword + "'" : name->second;

@@ -164,9 +164,9 @@ readFaces(const Numbers& numbers,
           Geometry& geometry)
 {
   std::size_t at = layout.begin + layout.points * layout.columns;
-  std::size_t line = std::lower_bound(numbers.line_starts.begin(),
-                                      numbers.line_starts.end(), at) -
-                     numbers.line_starts.begin();
+  std::size_t line =
+      std::lower_bound(numbers.line_starts.begin(), numbers.line_starts.end(), at) -
+      numbers.line_starts.begin();
   bool has_colours = false;
   for (std::size_t face = 0; face < layout.faces; ++face, ++line) {
     if (ends_with_line) {

@@ -313,9 +313,8 @@ readPLY(std::istream& stream)
   geometry.comments = header.comments;
   geometry.left_out = leftOut(header);
   geometry.storage = header.encoding == PLYHeader::Encoding::ASCII ? Storage::TEXT
-                     : header.encoding == PLYHeader::Encoding::BIG
-                         ? Storage::BINARY_BIG
-                         : Storage::BINARY;
+                     : header.encoding == PLYHeader::Encoding::BIG ? Storage::BINARY_BIG
+                                                                   : Storage::BINARY;
 
   if (!cells.empty())
     arrange(cells, cloud);

@@ -60,7 +60,9 @@ readPlace(TextLines& lines)
 class Scans {
 public:
   void
-  add(const TextLines& lines, const Eigen::Affine3d& place, const double* numbers,
+  add(const TextLines& lines,
+      const Eigen::Affine3d& place,
+      const double* numbers,
       std::size_t size)
   {
     const Eigen::Vector3d point(numbers[0], numbers[1], numbers[2]);
@@ -116,7 +118,8 @@ private:
       std::uint8_t* point = &cloud.data[i * cloud.point_step];
       std::memcpy(point, &values_[numbers * i], numbers * sizeof(double));
       if (has_colours)
-        std::memcpy(point + cloud.fields.back().offset, &colours_[i], sizeof colours_[i]);
+        std::memcpy(point + cloud.fields.back().offset, &colours_[i],
+                    sizeof colours_[i]);
     }
     return cloud;
   }

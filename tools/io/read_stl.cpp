@@ -142,7 +142,8 @@ readFacets(TextLines& lines)
       if (isWord(words[0], "endsolid"))
         break;
       // Normals are not needed, and programs write all sorts of things for slivers.
-      if (words.size() != 5 || !isWord(words[0], "facet") || !isWord(words[1], "normal"))
+      if (words.size() != 5 || !isWord(words[0], "facet") ||
+          !isWord(words[1], "normal"))
         lines.fail("'" + lines.text().substr(0, 40) +
                    "' stands where 'facet normal x y z' should be");
       expect(lines, {"outer", "loop"});
@@ -170,15 +171,16 @@ readFacets(TextLines& lines)
 std::vector<std::string>
 commentsOf(std::string_view header)
 {
-  const std::string text = boost::algorithm::trim_copy(
-      std::string(header.substr(0, header.find('\0'))));
+  const std::string text =
+      boost::algorithm::trim_copy(std::string(header.substr(0, header.find('\0'))));
   const bool is_text = std::all_of(text.begin(), text.end(),
                                    [](char c) { return c >= ' ' && c <= '~'; });
   return is_text && !text.empty() ? std::vector<std::string>{text}
                                   : std::vector<std::string>();
 }
 
-/** Whether a file starts as text does: binary files start with any word, but hold zeros.
+/** Whether a file starts as text does: binary files start with any word, but hold
+ * zeros.
  */
 bool
 startsAsText(std::string_view start)

@@ -50,8 +50,8 @@ public:
   {
     if (areAnnounced() && announced_ != rows_)
       throw std::runtime_error(
-          (blocks_ == 1 ? "" : "its block " + std::to_string(blocks_) + ' ') + "holds " +
-          std::to_string(static_cast<long long>(rows_)) +
+          (blocks_ == 1 ? "" : "its block " + std::to_string(blocks_) + ' ') +
+          "holds " + std::to_string(static_cast<long long>(rows_)) +
           " points, but the line above them announces another number; the file is "
           "damaged or incomplete");
   }
@@ -110,8 +110,8 @@ private:
       return addTitle("");
     }
     lines_.cutComment();
-    RowFormat format = delimiter ? RowFormat(lines_.text(), *delimiter)
-                                 : RowFormat(lines_.text());
+    RowFormat format =
+        delimiter ? RowFormat(lines_.text(), *delimiter) : RowFormat(lines_.text());
     splitColumns(lines_.text(), format.delimiter(), words_);
     dropLast(headerOf(titles_, format.delimiter(), words_.size()).has_value());
     double number;

@@ -167,10 +167,9 @@ isFirstRow(std::string_view line,
       ' ');
   std::vector<std::string_view> words;
   splitColumns(spaced, Delimiter::WHITE, words);
-  return !words.empty() &&
-         (isNumber(words[0]) ||
-          (std::string_view("+-.0123456789").find(words[0][0]) < 13 &&
-           std::any_of(words.begin(), words.end(), isNumber)));
+  return !words.empty() && (isNumber(words[0]) ||
+                            (std::string_view("+-.0123456789").find(words[0][0]) < 13 &&
+                             std::any_of(words.begin(), words.end(), isNumber)));
 }
 
 } // namespace tool

@@ -35,7 +35,8 @@ trimmed(std::string_view text)
   return text;
 }
 
-/** What ends the first line, and so all others: old Macs have carriage returns alone. */
+/** What ends the first line, and so all others: old Macs have carriage returns alone.
+ */
 char
 endOfLine(std::istream& stream)
 {
@@ -76,7 +77,8 @@ TextLines::readLine()
 {
   ++line_number_;
   line_.clear();
-  for (char piece[4096]; stream_.getline(piece, sizeof piece, end_of_line_).gcount() > 0;) {
+  for (char piece[4096];
+       stream_.getline(piece, sizeof piece, end_of_line_).gcount() > 0;) {
     const bool has_end = !stream_.eof() && !stream_.fail();
     line_.append(piece, stream_.gcount() - (has_end ? 1 : 0));
     if (has_end || stream_.eof())

@@ -13,8 +13,8 @@ namespace tool {
 
 /** \brief Goes through a text file line by line and reads lines as rows of numbers.
  *
- * The point is the decimal separator whatever the locale. Blank lines are skipped. Lines
- * end as the first one does: with a line feed, or with a carriage return alone.
+ * The point is the decimal separator whatever the locale. Blank lines are skipped.
+ * Lines end as the first one does: with a line feed, or with a carriage return alone.
  */
 class TextLines {
 public:

@@ -17,8 +17,8 @@
 
 namespace tool {
 
-/** \brief One line of a text file, whose numbers have as many digits as it takes to read
- * the same numbers again.
+/** \brief One line of a text file, whose numbers have as many digits as it takes to
+ * read the same numbers again.
  */
 class Row {
 public:

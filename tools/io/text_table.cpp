@@ -112,13 +112,13 @@ toGeometry(TextTable table, FileFormat format)
              ? std::string("a row holds no point")
              : std::to_string(table.rows_without_point) + " rows hold no point") +
         " (line " + std::to_string(table.first_without_point) +
-        (table.rows_without_point == 1 ? ") and is left out" : " first) and are left out"));
+        (table.rows_without_point == 1 ? ") and is left out"
+                                       : " first) and are left out"));
   if (table.values.empty())
     throw std::runtime_error("has no finite points");
 
-  const std::array<std::size_t, 3> colour{find(table.names, "red"),
-                                          find(table.names, "green"),
-                                          find(table.names, "blue")};
+  const std::array<std::size_t, 3> colour{
+      find(table.names, "red"), find(table.names, "green"), find(table.names, "blue")};
   const bool has_colour =
       *std::max_element(colour.begin(), colour.end()) < table.columns &&
       holdBytes(table, colour);

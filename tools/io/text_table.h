@@ -46,8 +46,9 @@ struct TextTable {
 
 /** \brief The points of a table.
  *
- * Columns without names that have unit length in every row, three by three, are normals.
- * Whole numbers from 0 to 255 that are named red, green and blue become one colour.
+ * Columns without names that have unit length in every row, three by three, are
+ * normals. Whole numbers from 0 to 255 that are named red, green and blue become one
+ * colour.
  */
 Geometry
 toGeometry(TextTable table, FileFormat format);

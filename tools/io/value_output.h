@@ -15,8 +15,8 @@
 
 namespace tool {
 
-/** \brief Writes the values of a PLY or PCD file one by one: as text, one element a line,
- * or as bytes.
+/** \brief Writes the values of a PLY or PCD file one by one: as text, one element a
+ * line, or as bytes.
  */
 class ValueOutput {
 public:

@@ -36,7 +36,8 @@ writeOFF(std::ostream& stream, const Geometry& geometry)
   for (const Fields* more : {&normal, &colour, &texture})
     fields.insert(fields.end(), more->begin(), more->end());
 
-  stream << (texture.empty() ? "" : "ST") << (colour.empty() ? "" : "C") << (normal.empty() ? "" : "N") << "OFF\n"
+  stream << (texture.empty() ? "" : "ST") << (colour.empty() ? "" : "C")
+         << (normal.empty() ? "" : "N") << "OFF\n"
          << numberOfPoints(cloud) << ' ' << geometry.faces.size() << " 0\n";
   for (std::size_t i = 0; i < numberOfPoints(cloud); ++i)
     rowOf("", fields, &cloud.data[i * cloud.point_step]).writeTo(stream);

@@ -130,7 +130,8 @@ writeFields(ValueOutput& output, const pcl::PCLPointCloud2& cloud)
   }
 }
 
-/** Write the points, as many bytes at once as stand in the file as they do in memory. */
+/** Write the points, as many bytes at once as stand in the file as they do in memory.
+ */
 void
 writePoints(std::ostream& stream, const pcl::PCLPointCloud2& cloud)
 {

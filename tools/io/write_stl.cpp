@@ -96,8 +96,8 @@ void
 writeSTL(std::ostream& stream, const Geometry& geometry)
 {
   // Bytes are floats, and text has all digits.
-  const bool is_coarse = !hasSinglePrecision(geometry) &&
-                         singlePrecisionIsCoarse(boundingBox(geometry));
+  const bool is_coarse =
+      !hasSinglePrecision(geometry) && singlePrecisionIsCoarse(boundingBox(geometry));
   if (geometry.storage == Storage::TEXT || is_coarse)
     writeFacets(stream, geometry);
   else

@@ -51,7 +51,8 @@ needsNames(const Fields& fields)
   });
 }
 
-/** What marks the line of the names: as in the file that was read, else as a comment. */
+/** What marks the line of the names: as in the file that was read, else as a comment.
+ */
 std::string
 markOf(const Geometry& geometry)
 {
