@@ -303,6 +303,11 @@ TEST_F(ForeignText, ScansOfPTX)
     ASSERT_EQ(1u, points.assumed.size());
     EXPECT_NE(std::string::npos, points.assumed[0].find("2 places"));
   }
+  // points at 0 0 0 are points, too, once they have been placed
+  expectEqual({{0, 0, 0}, {4512345.125, 0.5, -3}},
+              positionsOf(readGeometry(
+                  write("c.ptx", read("c.xyz", "0 0 0\n4512345.125 0.5 -3\n")))),
+              0.0);
   const Geometry again = readGeometry(write("b.ptx", read("a.ptx", scans)));
   expectEqual(expected, positionsOf(again), 0.0);
   EXPECT_EQ(0.75, numberAt(again, "intensity", 2));

@@ -39,6 +39,7 @@ add_library(pcl_kss_icp_files STATIC
   ${files_dir}/write_obj.cpp
   ${files_dir}/write_off.cpp
   ${files_dir}/write_text.cpp
+  ${files_dir}/write_ptx.cpp
   ${files_dir}/write_stl.cpp)
 target_compile_features(pcl_kss_icp_files PUBLIC cxx_std_17)
 target_compile_options(pcl_kss_icp_files PRIVATE -Wall -Wextra)

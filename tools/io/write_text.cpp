@@ -103,30 +103,4 @@ writeText(std::ostream& stream, const Geometry& geometry, FileFormat format)
     rowOf("", fields, &cloud.data[i * cloud.point_step], separator).writeTo(stream);
 }
 
-void
-writePTX(std::ostream& stream, const Geometry& geometry)
-{
-  const auto& cloud = geometry.cloud;
-  const Fields position = selectFields(cloud, VectorField::POSITION);
-  const auto* intensity = findField(cloud, "intensity");
-  const auto* colour = colourField(cloud);
-  // one column of points that stand in their places already
-  stream << "1\n"
-         << numberOfPoints(cloud)
-         << "\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
-            "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
-  for (std::size_t i = 0; i < numberOfPoints(cloud); ++i) {
-    const std::uint8_t* point = &cloud.data[i * cloud.point_step];
-    Row row = rowOf("", position, point);
-    if (intensity)
-      row.addField(*intensity, point);
-    else
-      row.addWord("0.5"); // as programs write what is not known
-    if (colour)
-      for (std::size_t k = 0; k < 3; ++k)
-        row.addNumber(static_cast<int>(getColour(*colour, point)[k]));
-    row.writeTo(stream);
-  }
-}
-
 } // namespace tool
