@@ -64,9 +64,8 @@ private:
 /** Reads the lines of a text into a table. */
 class TableReader {
 public:
-  TableReader(std::istream& stream, FileFormat format)
+  explicit TableReader(std::istream& stream)
   : lines_(stream, TextLines::Style::RAW)
-  , format_(format)
   {
   }
 
@@ -198,8 +197,8 @@ private:
         ;
       else if (rows_->parse(words_[i], number)) {
         if (std::isfinite(number)) {
-          if (table_.isPosition(i) &&
-              std::abs(number) > std::numeric_limits<float>::max())
+          if (std::abs(number) > std::numeric_limits<float>::max() &&
+              table_.isPosition(i))
             lines_.failAt(words_[i], "is larger than single precision can hold");
           kind = TextTable::Kind::NUMBERS;
         }
@@ -221,7 +220,6 @@ private:
   }
 
   TextLines lines_;
-  FileFormat format_;
   std::vector<Title> titles_;
   int lines_of_words_ = 0;
   std::optional<RowFormat> rows_;
@@ -235,7 +233,7 @@ private:
 Geometry
 readText(std::istream& stream, FileFormat format)
 {
-  return toGeometry(TableReader(stream, format).read(), format);
+  return toGeometry(TableReader(stream).read(), format);
 }
 
 } // namespace tool

@@ -47,7 +47,7 @@ Words
 namesOf(Words words, const Title& title, Delimiter delimiter, std::size_t columns)
 {
   // a word before the names: "columns: x y z"
-  if (words.size() == columns + 1 && words.size() > 3 && words[0].back() == ':')
+  if (words.size() == columns + 1 && !words[0].empty() && words[0].back() == ':')
     words.erase(words.begin());
   if (words.size() < 3 || words.size() > columns || columns > MOST_COLUMNS)
     return {};

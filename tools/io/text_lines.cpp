@@ -48,7 +48,8 @@ endOfLine(std::istream& stream)
   const std::string_view text(piece, static_cast<std::size_t>(size));
   const auto first = text.find_first_of("\r\n");
   const bool is_alone = first != std::string_view::npos && text[first] == '\r' &&
-                        text.substr(first + 1, 1) != "\n";
+                        text.substr(first + 1, 1) != "\n" &&
+                        first + 1 < sizeof piece; // where nobody can tell
   return is_alone ? '\r' : '\n';
 }
 
