@@ -139,9 +139,11 @@ helpText()
          "Finds the rotation, translation and scale that place the point cloud SOURCE\n"
          "upon TARGET, wherever they lie, and writes the placed SOURCE to ALIGNED.\n"
          "\n"
-         "Files are PCD, PLY, OBJ, STL, OFF or columns of text (.xyz, .txt, .pts).\n"
+         "Files are PCD, PLY, OBJ, STL, OFF, PTX or columns of text (.xyz, .txt, "
+         ".csv,\n"
+         ".asc, .pts), known by their content, else by their ending.\n"
          "Meshes are registered by points spread over their faces. ALIGNED keeps the\n"
-         "fields and faces of SOURCE that its format can hold.\n"
+         "fields and faces of SOURCE; a warning names what its format cannot hold.\n"
          "\n"
       << visibleOptions()
       << "\n"

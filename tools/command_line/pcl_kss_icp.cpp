@@ -15,6 +15,8 @@
 #include <pcl/console/print.h>
 #include <pcl/registration/kss/devices.h>
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <iostream>
@@ -60,6 +62,9 @@ Geometry
 read(const std::string& path, bool quiet)
 {
   Geometry geometry = readGeometry(path);
+  if (!quiet)
+    for (const auto& assumption : geometry.assumed)
+      complain("warning: " + path + ": " + assumption);
   if (!quiet && hasSinglePrecision(geometry) &&
       singlePrecisionIsCoarse(boundingBox(geometry)))
     complain("warning: " + path +
@@ -105,6 +110,15 @@ warnOfFarPoints(std::size_t number, const std::string& path)
              " far away from all others; the search went without");
 }
 
+/** Say what of the source the aligned file does not hold. */
+void
+warnOfLosses(const std::vector<std::string>& losses, const Options& options)
+{
+  if (!losses.empty())
+    complain("warning: " + options.aligned + ": does not hold all of " +
+             options.source + "; lost are " + boost::algorithm::join(losses, ", "));
+}
+
 int
 registerFiles(const Options& options)
 {
@@ -113,6 +127,7 @@ registerFiles(const Options& options)
   Geometry source = read(options.source, options.quiet);
   const Geometry target = read(options.target, options.quiet);
   outputs.checkFormat(source);
+  const auto losses = outputs.lossesOf(source);
   std::optional<Eigen::Matrix4d> guess;
   if (!options.guess.empty())
     guess = readTransformation(options.guess);
@@ -123,6 +138,7 @@ registerFiles(const Options& options)
   if (!options.quiet && result.converged) {
     warnOfFarPoints(result.far_points.source, options.source);
     warnOfFarPoints(result.far_points.target, options.target);
+    warnOfLosses(losses, options);
   }
   if (!result.converged) {
     complain("not registered: " + result.reason);
