@@ -27,17 +27,18 @@ public:
   void
   checkFormat(const Geometry& source) const;
 
-  /** \brief Write all files, or only the report where nothing has been registered.
+  /** \brief Write all files, or only the report and the picture where nothing has been
+   * registered.
    *
    * All of them or none are put in their places.
    * \throws std::runtime_error naming the file that cannot be written
    */
   void
-  write(const Result& result, Geometry source);
+  write(const Result& result, Geometry source, const Geometry& target);
 
 private:
   Options options_;
-  std::unique_ptr<OutputFile> aligned_, transform_, report_;
+  std::unique_ptr<OutputFile> aligned_, transform_, report_, picture_;
 };
 
 } // namespace tool
