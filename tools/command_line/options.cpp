@@ -199,9 +199,11 @@ helpText()
       << "\n"
          "Exit status:\n"
          "  0      registered\n"
-         "  1      not registered: the clouds do not fit, or determine no pose, or the\n"
+         "  1      not registered: the clouds do not fit, or determine no pose, or "
+         "the\n"
          "         time limit has passed; only the report and the picture are written\n"
-         "  2      the command line or a file is wrong, a device failed, or memory ran\n"
+         "  2      the command line or a file is wrong, a device failed, or memory "
+         "ran\n"
          "         out\n"
          "  128+N  ended by signal N (130 by SIGINT, 143 by SIGTERM, 129 by SIGHUP);\n"
          "         no file is written\n";

@@ -5,6 +5,7 @@
 #include "picture_of_result.h"
 
 #include "picture/picture.h"
+#include "picture/short_text.h"
 #include "words.h"
 
 #include <pcl/registration/kss/settings_text.h>
@@ -15,16 +16,6 @@
 
 namespace tool {
 namespace {
-
-/** A number with a few digits. */
-std::string
-shortText(double number)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << number;
-  return text.str();
-}
 
 /** How a pose differs from another one, and how well it fits. */
 std::string
@@ -62,8 +53,9 @@ textOf(const Result& result, const Options& options)
                                   : PictureText::Verdict::REGISTERED;
   text.title = result.ambiguous ? "Registered, but ambiguous" : "Registered";
   const auto& overlap = result.poses.front().overlap;
-  text.details = "Sure: " + sureText(result.confidence) + ". Overlap: " +
-                 percent(overlap.source) + " of SOURCE, " + percent(overlap.target) +
+  text.details = "Sure: " + sureText(result.confidence) +
+                 ". Overlap: " + percent(overlap.source) + " of SOURCE, " +
+                 percent(overlap.target) +
                  " of TARGET. Scale: " + pcl::kss::setting::numberText(result.scale) +
                  (options.settings.estimate_scale ? "." : ", as given.");
   if (result.ambiguous)
@@ -76,6 +68,7 @@ textOf(const Result& result, const Options& options)
 void
 checkPictures()
 {
+  // what draws them has been linked
 }
 
 void
@@ -92,8 +85,8 @@ writePicture(const Result& result,
       break; // the likeliest come first
     poses.push_back({pose.transformation, captionOf(pose, result.poses.front())});
   }
-  drawPicture(subjectOf(options.source, source), subjectOf(options.target, target), poses,
-              textOf(result, options), stream);
+  drawPicture(subjectOf(options.source, source), subjectOf(options.target, target),
+              poses, textOf(result, options), stream);
 }
 
 } // namespace tool

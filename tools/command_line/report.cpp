@@ -180,9 +180,8 @@ reportText(const Result& result,
   report["version"] = PCL_KSS_ICP_VERSION;
   report["inputs"] = {{"source", toJSON(options.source, source)},
                       {"target", toJSON(options.target, target)}};
-  report["units"] = {{"lengths", "unit of target"},
-                     {"angles", "radians"},
-                     {"times", "seconds"}};
+  report["units"] = {
+      {"lengths", "unit of target"}, {"angles", "radians"}, {"times", "seconds"}};
   report["converged"] = result.converged;
   if (!result.converged)
     report["reason"] = result.reason;
@@ -239,14 +238,17 @@ summaryText(const Result& result, const Options& options)
     scale << ": " << hint;
   time << std::setprecision(4) << result.seconds << " s on " << result.device
        << ", search " << wordOf<&pcl::kss::Settings::search>(result.search);
-  std::string text = "Transformation of SOURCE onto TARGET:\n" +
-                     table(pose.transformation) + lineOn("Scale:", scale.str()) +
-                     lineOn("Overlap:", percent(pose.overlap.source) + " of SOURCE, " +
-                                            percent(pose.overlap.target) +
-                                            " of TARGET (" + inWords(result.mode) + ")") +
-                     lineOn("Sure:", sureText(result.confidence));
+  std::string text =
+      "Transformation of SOURCE onto TARGET:\n" + table(pose.transformation) +
+      lineOn("Scale:", scale.str()) +
+      lineOn("Overlap:", percent(pose.overlap.source) + " of SOURCE, " +
+                             percent(pose.overlap.target) + " of TARGET (" +
+                             inWords(result.mode) + ")") +
+      lineOn("Sure:", sureText(result.confidence));
   if (result.ambiguous)
-    text += lineOn("Ambiguous:", ambiguityText(result));
+    text += lineOn("Ambiguous:", ambiguityText(result) +
+                                     ". --picture FILE shows them, --report FILE lists "
+                                     "them");
   return text + lineOn("Time:", time.str());
 }
 

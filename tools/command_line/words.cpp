@@ -58,10 +58,9 @@ numberOfRivals(const Result& result)
   if (!result.ambiguous)
     return 0;
   const auto first = alternativeOf(result.poses.front());
-  return static_cast<std::size_t>(
-      std::count_if(result.poses.begin() + 1, result.poses.end(), [&](const Pose& pose) {
-        return areEquallyGood(first, alternativeOf(pose));
-      }));
+  return static_cast<std::size_t>(std::count_if(
+      result.poses.begin() + 1, result.poses.end(),
+      [&](const Pose& pose) { return areEquallyGood(first, alternativeOf(pose)); }));
 }
 
 std::string
@@ -70,10 +69,10 @@ ambiguityText(const Result& result)
   const std::size_t rivals = numberOfRivals(result);
   if (rivals == 0)
     return "";
-  return (rivals == 1 ? "another pose fits" : std::to_string(rivals) + " other poses fit") +
+  return (rivals == 1 ? "another pose fits"
+                      : std::to_string(rivals) + " other poses fit") +
          std::string(" about as well, as with symmetric things: any of them may be the "
-                     "right one. --picture FILE shows them, --report FILE lists them, "
-                     "and --guess FILE takes the one nearest to a guess");
+                     "right one; --guess FILE takes the one nearest to a guess");
 }
 
 std::string

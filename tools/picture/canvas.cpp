@@ -13,8 +13,8 @@
 namespace tool {
 namespace {
 
-/** The text with a question mark for what is no UTF-8, and for control characters: names
- * of files may hold anything, and cairo draws nothing more after such a text. */
+/** The text with a question mark for what is no UTF-8, and for control characters:
+ * names of files may hold anything, and cairo draws nothing more after such a text. */
 std::string
 legible(const std::string& text)
 {

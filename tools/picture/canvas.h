@@ -44,10 +44,17 @@ public:
 
   /** \brief Write a line about a middle. */
   void
-  writeCentred(double x, double y, const std::string& text, const TextStyle& style = {});
+  writeCentred(double x,
+               double y,
+               const std::string& text,
+               const TextStyle& style = {});
 
   void
-  line(double x0, double y0, double x1, double y1, const Colour& colour,
+  line(double x0,
+       double y0,
+       double x1,
+       double y1,
+       const Colour& colour,
        double width = 1.0);
 
   void

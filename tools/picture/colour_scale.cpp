@@ -27,8 +27,7 @@ ofOKLab(const Eigen::Vector3d& lab)
        -1.2684380046, 2.6097574011, -0.3413193965,                     // green
        -0.0041960863, -0.7034186147, 1.7076147010)                     // blue
           .finished();
-  const Eigen::Vector3d linear =
-      to_linear * (to_cones * lab).array().cube().matrix();
+  const Eigen::Vector3d linear = to_linear * (to_cones * lab).array().cube().matrix();
   const auto encoded = [](double x) {
     x = std::min(std::max(x, 0.0), 1.0);
     return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
@@ -56,7 +55,8 @@ makeScale()
   constexpr int FINE = 20 * STEPS;
   std::array<double, FINE + 1> length{};
   for (int i = 1; i <= FINE; ++i)
-    length[i] = length[i - 1] + (curveAt(double(i) / FINE) - curveAt((i - 1.0) / FINE)).norm();
+    length[i] =
+        length[i - 1] + (curveAt(double(i) / FINE) - curveAt((i - 1.0) / FINE)).norm();
   std::array<Colour, STEPS + 1> scale;
   for (int i = 0; i <= STEPS; ++i) {
     const auto at =

@@ -4,6 +4,8 @@
 
 #include "distances.h"
 
+#include <pcl/registration/kss/detail/cloud_conversion.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,15 +21,31 @@ quantile(std::vector<double> values, double share)
   return *nth;
 }
 
-/** The next number of 1, 2 or 5 times a power of ten that is no smaller. */
+/** The next number of 1, 1.5, 2, 3 or 5 times a power of ten that is no smaller. */
 double
 roundedUp(double value)
 {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double factor : {1.0, 2.0, 5.0})
+  for (const double factor : {1.0, 1.5, 2.0, 3.0, 5.0})
     if (value <= factor * power * (1.0 + 1e-9))
       return factor * power;
   return 10.0 * power;
+}
+
+/** An order in which points that follow each other lie close together: neighbours ask
+ * for the same. */
+pcl::Indices
+orderInSpace(const Points& points)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  cloud.reserve(points.size());
+  for (const auto& point : points) {
+    const Eigen::Vector3f local = (point - points.front()).cast<float>();
+    cloud.push_back({local.x(), local.y(), local.z()});
+  }
+  pcl::Indices order = pcl::kss::allIndices(cloud);
+  pcl::kss::sortInSpace(cloud, order);
+  return order;
 }
 
 } // namespace
@@ -71,10 +89,11 @@ distancesOf(const Points& points, const NearestPoints& others)
 {
   Distances distances{};
   double sum = 0.0;
-  distances.all.reserve(points.size());
-  for (const auto& point : points) {
-    distances.all.push_back(others.distanceFrom(point));
-    sum += distances.all.back() * distances.all.back();
+  distances.all.resize(points.size());
+  for (const pcl::index_t i : orderInSpace(points)) {
+    double& distance = distances.all[static_cast<std::size_t>(i)];
+    distance = others.distanceFrom(points[static_cast<std::size_t>(i)]);
+    sum += distance * distance;
   }
   distances.root_mean_square = std::sqrt(sum / points.size());
   distances.median = quantile(distances.all, 0.5);
@@ -82,7 +101,9 @@ distancesOf(const Points& points, const NearestPoints& others)
   distances.spacing = others.spacing();
   // what has no counterpart is to leave colours for what has
   const double close = std::max(distances.median, distances.spacing);
-  const double top = std::max(std::min(distances.most, 10.0 * close), close);
+  // nor are they to show more than where which points happen to lie
+  const double top =
+      std::max(std::min(distances.most, 10.0 * close), 3.0 * distances.spacing);
   distances.top = top > 0.0 ? roundedUp(top) : 1.0;
   return distances;
 }

@@ -4,6 +4,8 @@
 
 #include "histogram.h"
 
+#include "short_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -21,29 +23,37 @@ sharesOf(const Distances& distances)
 {
   std::vector<double> shares(BARS + 1, 0.0);
   for (const double distance : distances.all)
-    shares[std::min<std::size_t>(
-        BARS, static_cast<std::size_t>(BARS * distance / distances.top))] +=
-        1.0 / distances.all.size();
+    shares[static_cast<std::size_t>(std::min<double>(
+        BARS, BARS * distance / distances.top))] += 1.0 / distances.all.size();
   return shares;
 }
 
 std::string
 percent(double share)
 {
-  return share > 0.0 && share < 0.01 ? "< 1 %"
-                                     : std::to_string(std::lround(100.0 * share)) + " %";
+  return share > 0.0 && share < 0.01
+             ? "< 1 %"
+             : std::to_string(std::lround(100.0 * share)) + " %";
 }
 
-/** A mark from the top of a diagram down to its scale, with words on the side that has
- * room. */
+/** A mark from the top of a diagram down to its scale.
+ * \param[in] is_right whether the words are to the right of it, where they have room
+ */
 void
-mark(Canvas& canvas, double x, const Area& diagram, const std::string& text)
+mark(Canvas& canvas,
+     double x,
+     const Area& diagram,
+     bool is_right,
+     const std::string& text)
 {
+  constexpr double GAP = 5.0;
   const TextStyle style{12.0, false, ink};
-  const double width = canvas.widthOf(text, style) + 5.0;
-  const bool has_room = x + width < diagram.x + diagram.width;
-  canvas.line(x, diagram.y + 4.0, x, diagram.y + diagram.height, grey);
-  canvas.write(has_room ? x + 5.0 : x - width, diagram.y + 12.0, text, style);
+  const double width = canvas.widthOf(text, style) + GAP;
+  const bool has_room_left = x - width >= diagram.x;
+  const bool has_room_right = x + width < diagram.x + diagram.width;
+  canvas.line(x, diagram.y, x, diagram.y + diagram.height, grey);
+  const bool goes_right = (is_right && has_room_right) || !has_room_left;
+  canvas.write(goes_right ? x + GAP : x - width, diagram.y + 10.0, text, style);
 }
 
 } // namespace
@@ -71,9 +81,10 @@ drawHistogram(Canvas& canvas, const Area& area, const Distances& distances)
 
   const double pixels = (right - left) / distances.top;
   const double y = bottom + GAP + SCALE;
-  // the top is 1, 2 or 5 times a power of ten
-  const double first = distances.top / std::pow(10.0, std::floor(std::log10(distances.top) + 1e-9));
-  const int ticks = std::lround(first) == 2 ? 4 : 5;
+  // the top is 1, 1.5, 2, 3 or 5 times a power of ten
+  const double power = std::pow(10.0, std::floor(std::log10(distances.top) + 1e-9));
+  const double first = distances.top / power;
+  const int ticks = first < 1.2 || first > 4.0 ? 5 : first > 1.8 && first < 2.2 ? 4 : 3;
   for (int i = 0; i <= ticks; ++i) {
     const double value = distances.top * i / ticks;
     const double x = std::min(left + pixels * value, right - 1.0);
@@ -83,16 +94,17 @@ drawHistogram(Canvas& canvas, const Area& area, const Distances& distances)
   canvas.writeCentred(right + 47.0, y + 19.0, "farther", {12.5});
   canvas.writeCentred(right + 47.0, bottom - full * shares[BARS] / largest - 6.0,
                       percent(shares[BARS]), {12.5});
-  canvas.writeCentred(0.5 * (left + right), y + 40.0,
-                      "distance from the nearest point of TARGET, in the unit of TARGET",
-                      {12.5});
+  canvas.writeCentred(
+      0.5 * (left + right), y + 40.0,
+      "distance from the nearest point of TARGET, in the unit of TARGET", {12.5});
+  const bool median_is_right = distances.median >= distances.spacing;
   if (distances.spacing < distances.top)
     mark(canvas, left + pixels * distances.spacing,
-         {left, area.y, right - left, bottom - area.y},
+         {left, area.y + 2.0, right - left, bottom - area.y - 2.0}, !median_is_right,
          "spacing of TARGET's points " + shortText(distances.spacing));
   if (distances.median < distances.top)
     mark(canvas, left + pixels * distances.median,
-         {left, area.y + 16.0, right - left, bottom - area.y - 16.0},
+         {left, area.y + 18.0, right - left, bottom - area.y - 18.0}, median_is_right,
          "median " + shortText(distances.median));
 }
 

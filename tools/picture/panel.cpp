@@ -4,15 +4,16 @@
 
 #include "panel.h"
 
+#include "short_text.h"
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace tool {
 namespace {
 
 /** In pixels: the finest that can be seen, and the largest that still is a point. */
-constexpr double SMALLEST_RADIUS = 0.9, LARGEST_RADIUS = 4.5;
+constexpr double SMALLEST_RADIUS = 0.9, LARGEST_RADIUS = 5.5;
 
 /** Disks as large, in spacings, leave no holes in a surface of points at random. */
 constexpr double COVERING = 2.2;
@@ -52,7 +53,8 @@ drawLayers(Canvas& canvas,
       const auto& seen = layer->seen[i];
       splats.push_back(
           {static_cast<float>(0.5 * area.width + scale * (seen.x() - frame.middle.x())),
-           static_cast<float>(0.5 * area.height - scale * (seen.y() - frame.middle.y())),
+           static_cast<float>(0.5 * area.height -
+                              scale * (seen.y() - frame.middle.y())),
            static_cast<float>(scale * (seen.z() - nearest)), static_cast<float>(radius),
            layer->colours[layer->colours.size() > 1 ? i : 0]});
     }
@@ -75,16 +77,8 @@ drawRuler(Canvas& canvas, const Area& area, const Frame& frame)
   canvas.line(x, y, x + scale * length, y, grey);
   for (const double end : {x, x + scale * length})
     canvas.line(end, y - 4.0, end, y + 4.0, grey);
-  canvas.write(x + scale * length + 8.0, y + 4.0, shortText(length), {12.0, false, grey});
-}
-
-std::string
-shortText(double number)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << number;
-  return text.str();
+  canvas.write(x + scale * length + 8.0, y + 4.0, shortText(length),
+               {12.0, false, grey});
 }
 
 } // namespace tool

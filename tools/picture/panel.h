@@ -9,7 +9,6 @@
 #include "view.h"
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace tool {
@@ -46,9 +45,5 @@ drawLayers(Canvas& canvas,
 /** \brief Draw a line in the lower left corner, and how long it is. */
 void
 drawRuler(Canvas& canvas, const Area& area, const Frame& frame);
-
-/** \brief Up to three digits of a number: "0.0123". */
-std::string
-shortText(double number);
 
 } // namespace tool

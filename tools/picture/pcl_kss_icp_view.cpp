@@ -5,6 +5,7 @@
 #include "colour_scale.h"
 #include "distances.h"
 #include "io/read_geometry.h"
+#include "short_text.h"
 #include "subject.h"
 #include "view.h"
 
@@ -15,7 +16,6 @@
 
 #include <fstream>
 #include <iostream>
-#include <iterator>
 
 /** \file
  * Shows two files and a report of their registration in a window; pcl_kss_icp --view
@@ -31,8 +31,10 @@ using Cloud = pcl::PointCloud<pcl::PointXYZRGB>;
 constexpr const char* USAGE =
     "Usage: pcl_kss_icp_view SOURCE TARGET REPORT\n"
     "\n"
-    "Shows two files and what pcl_kss_icp --report REPORT says of them; REPORT may be -\n"
-    "for standard input. Keys: Right and Left go through the poses, Up shows SOURCE as\n"
+    "Shows two files and what pcl_kss_icp --report REPORT says of them; REPORT may be "
+    "-\n"
+    "for standard input. Keys: Right and Left go through the poses, Up shows SOURCE "
+    "as\n"
     "it lies in its file, Space its distances from TARGET in colour, q ends.\n";
 
 nlohmann::json
@@ -54,8 +56,7 @@ posesOf(const nlohmann::json& report)
     poses.emplace_back();
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
-        poses.back()(i, j) =
-            alternative.at("transformation").at(i).at(j).get<double>();
+        poses.back()(i, j) = alternative.at("transformation").at(i).at(j).get<double>();
   }
   return poses;
 }
@@ -76,12 +77,13 @@ public:
                    ? "Not registered: " + report.at("reason").get<std::string>()
                    : std::string("Registered") +
                          (report.at("ambiguous").get<bool>() ? ", but ambiguous" : "");
+    viewer_.setSize(1000, 750);
     viewer_.setBackgroundColor(1.0, 1.0, 1.0);
     show("target", drawn, [](std::size_t) { return TARGET_COLOUR; });
     const double size = frameOf(seen(view, drawn)).size.norm();
     const Eigen::Vector3d eye = 1.6 * size * view.row(2).transpose();
-    viewer_.setCameraPosition(eye.x(), eye.y(), eye.z(), 0, 0, 0, view(1, 0), view(1, 1),
-                              view(1, 2));
+    viewer_.setCameraPosition(eye.x(), eye.y(), eye.z(), 0, 0, 0, view(1, 0),
+                              view(1, 1), view(1, 2));
     viewer_.registerKeyboardCallback(
         [this](const pcl::visualization::KeyboardEvent& event) { press(event); });
     update();
@@ -130,6 +132,8 @@ private:
     else
       return;
     update();
+    if (key == "Up") // it may lie anywhere
+      viewer_.resetCamera();
   }
 
   /** Show the source at its pose, and say which one it is. */
@@ -141,22 +145,20 @@ private:
     std::string legend;
     if (is_coloured) {
       const Distances distances = distancesOf(placed, nearest_);
-      show("source", placed, [&](std::size_t i) {
-        return colourOf(distances.all[i] / distances.top);
-      });
-      legend = "from 0 (dark) to " + std::to_string(distances.top) +
-               " (light), in the unit of TARGET";
+      show("source", placed,
+           [&](std::size_t i) { return colourOf(distances.all[i] / distances.top); });
+      legend = ", distances from 0 (dark) to " + shortText(distances.top) +
+               " (light) in the unit of TARGET";
     }
     else
       show("source", placed, [](std::size_t) { return SOURCE_COLOUR; });
-    viewer_.setPointCloudRenderingProperties(
-        pcl::visualization::PCL_VISUALIZER_OPACITY, is_coloured ? 0.1 : 1.0, "target");
+    viewer_.setPointCloudRenderingProperties(pcl::visualization::PCL_VISUALIZER_OPACITY,
+                                             is_coloured ? 0.1 : 1.0, "target");
     say("verdict", verdict_, 3);
     say("pose",
         is_before_ ? "SOURCE (orange) as it lies in its file, TARGET (blue)"
                    : "Pose " + std::to_string(pose_ + 1) + " of " +
-                         std::to_string(poses_.size()) + (is_coloured ? ": distances " : "") +
-                         legend,
+                         std::to_string(poses_.size()) + legend,
         2);
     say("keys", "Right, Left: poses   Up: before   Space: distances   q: end", 0);
   }
@@ -165,7 +167,8 @@ private:
   say(const std::string& id, const std::string& words, int row)
   {
     constexpr int SIZE = 15, MARGIN = 10, LINE = 22;
-    if (!viewer_.updateText(words, MARGIN, MARGIN + LINE * row, SIZE, 0.1, 0.1, 0.1, id))
+    if (!viewer_.updateText(words, MARGIN, MARGIN + LINE * row, SIZE, 0.1, 0.1, 0.1,
+                            id))
       viewer_.addText(words, MARGIN, MARGIN + LINE * row, SIZE, 0.1, 0.1, 0.1, id);
   }
 
@@ -181,10 +184,13 @@ private:
       point.rgba = packed(colour_at(i));
       cloud->push_back(point);
     }
-    if (!viewer_.updatePointCloud<pcl::PointXYZRGB>(cloud, id))
-      viewer_.addPointCloud<pcl::PointXYZRGB>(cloud, id);
+    const Cloud::ConstPtr constant = cloud;
+    if (!viewer_.updatePointCloud(constant, id)) // not the template: with colours
+      viewer_.addPointCloud(constant, id);
+    constexpr std::size_t FEW = 20000;
     viewer_.setPointCloudRenderingProperties(
-        pcl::visualization::PCL_VISUALIZER_POINT_SIZE, 2.0, id);
+        pcl::visualization::PCL_VISUALIZER_POINT_SIZE, points.size() > FEW ? 2.0 : 4.0,
+        id);
   }
 
   Points source_;

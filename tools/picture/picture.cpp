@@ -8,6 +8,7 @@
 #include "distances.h"
 #include "histogram.h"
 #include "panel.h"
+#include "short_text.h"
 #include "view.h"
 
 #include <algorithm>
@@ -23,8 +24,14 @@ constexpr std::size_t MOST_OTHERS = 4;
 const Colour pale{0.88, 0.88, 0.88}, grey{0.42, 0.42, 0.42};
 const TextStyle panel_title{15.0, true}, small{12.5, false, grey};
 
+/** Of SOURCE, dark enough for thin lines. */
+const Colour AXES{0.72, 0.34, 0.0};
+
+/** Half of what axes take of a panel's width. */
+constexpr double AXES_ROOM = 38.0;
+
 /** Colours of light and shade, and such that have to stay what they stand for. */
-constexpr double STRONG_RELIEF = 0.65, WEAK_RELIEF = 0.3;
+constexpr double STRONG_RELIEF = 0.8, WEAK_RELIEF = 0.3;
 
 Colour
 colourOf(PictureText::Verdict verdict)
@@ -50,11 +57,21 @@ unionOf(const Frame& a, const Frame& b)
   return {0.5 * (low + high), high - low};
 }
 
+Eigen::Vector3d
+middleOf(const Points& points)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto& point : points)
+    sum += point / points.size();
+  return sum;
+}
+
 /** How high a panel is best, that is so wide. */
 double
 heightFor(const Frame& frame, double width)
 {
-  return std::round(std::min(std::max(width * frame.size.y() / frame.size.x(), 0.45 * width), 0.95 * width));
+  return std::round(std::min(
+      std::max(width * frame.size.y() / frame.size.x(), 0.45 * width), 0.95 * width));
 }
 
 class Sheet {
@@ -72,8 +89,10 @@ public:
   {
     const Points drawn_target = drawnOf(target.points);
     view_ = viewOf(drawn_target);
-    const double thinned = std::sqrt(double(target.points.size()) / drawn_target.size());
-    target_layer_ = {seenFrom(view_, drawn_target), thinned * nearest_.spacing(),
+    const double thinned =
+        std::sqrt(double(target.points.size()) / drawn_target.size());
+    target_layer_ = {seenFrom(view_, drawn_target),
+                     thinned * nearest_.spacing(),
                      {packed(TARGET_COLOUR)}};
     target_frame_ = frameOf(target_layer_.seen);
     source_spacing_ = NearestPoints(drawn_source_).spacing();
@@ -103,7 +122,8 @@ public:
       height += GAP + TITLE + other + 24.0;
     Canvas canvas(static_cast<int>(WIDTH), static_cast<int>(height + 16.0));
 
-    canvas.write(MARGIN, MARGIN + 18.0, text_.title, {23.0, true, colourOf(text_.verdict)});
+    canvas.write(MARGIN, MARGIN + 18.0, text_.title,
+                 {23.0, true, colourOf(text_.verdict)});
     canvas.write(WIDTH - MARGIN - canvas.widthOf(text_.maker, small), MARGIN + 14.0,
                  text_.maker, small);
     for (std::size_t i = 0; i < lines.size(); ++i)
@@ -123,7 +143,8 @@ public:
     if (others > 1)
       canvas.write(MARGIN, y - 10.0, "Others that fit about as well", panel_title);
     for (std::size_t i = 1; i < others; ++i)
-      drawOther(canvas, poses_[i], {MARGIN + (i - 1) * (quarter + GAP), y, quarter, other});
+      drawOther(canvas, poses_[i],
+                {MARGIN + (i - 1) * (quarter + GAP), y, quarter, other});
     canvas.writePNG(stream);
   }
 
@@ -131,8 +152,7 @@ private:
   Layer
   sourceAt(const Eigen::Matrix4d& transformation) const
   {
-    const double scale =
-        std::cbrt(transformation.topLeftCorner<3, 3>().determinant());
+    const double scale = std::cbrt(transformation.topLeftCorner<3, 3>().determinant());
     return {seenFrom(view_, moved(drawn_source_, transformation)),
             scale * source_spacing_,
             {packed(SOURCE_COLOUR)}};
@@ -153,11 +173,14 @@ private:
   }
 
   void
-  title(Canvas& canvas, const Area& area, const std::string& words, const std::string& more = "")
+  title(Canvas& canvas,
+        const Area& area,
+        const std::string& words,
+        const std::string& more = "")
   {
     canvas.write(area.x, area.y - 10.0, words, panel_title);
-    canvas.write(area.x + canvas.widthOf(words, panel_title) + 12.0, area.y - 10.0, more,
-                 small);
+    canvas.write(area.x + canvas.widthOf(words, panel_title) + 12.0, area.y - 10.0,
+                 more, small);
     canvas.outline(area.x, area.y, area.width - 1.0, area.height - 1.0, pale);
   }
 
@@ -168,7 +191,8 @@ private:
     const double source_size = before_frame_.size.norm(),
                  target_size = target_frame_.size.norm();
     const double larger = std::max(source_size, target_size);
-    if (both.size.norm() < 2.5 * larger && std::min(source_size, target_size) > 0.1 * larger) {
+    if (both.size.norm() < 2.5 * larger &&
+        std::min(source_size, target_size) > 0.1 * larger) {
       title(canvas, area, "Before");
       drawLayers(canvas, area, both, {&before_, &target_layer_}, STRONG_RELIEF);
       drawRuler(canvas, area, both);
@@ -176,11 +200,12 @@ private:
     }
     // each in a half of its own
     const bool is_to_scale = std::min(source_size, target_size) > 0.33 * larger;
-    const double apart = (before_frame_.middle - target_frame_.middle).norm();
+    const double apart = (middleOf(drawn_source_) - middleOf(target_.points)).norm();
     title(canvas, area, "Before",
           "side by side: " + shortText(apart) + " apart" +
-              (is_to_scale ? "" : ", sizes " + shortText(source_size) + " and " +
-                                      shortText(target_size)));
+              (is_to_scale ? ""
+                           : ", sizes " + shortText(source_size) + " and " +
+                                 shortText(target_size)));
     Frame left = before_frame_, right = target_frame_;
     if (is_to_scale)
       left.size = right.size = left.size.cwiseMax(right.size);
@@ -199,11 +224,14 @@ private:
     title(canvas, area,
           poses_.empty() ? "No pose was found"
           : is_refused   ? "The best pose found, which is refused"
-                         : "After");
+                         : "After",
+          isAmbiguous() ? "with the directions of SOURCE's x, y and z" : "");
     if (poses_.empty())
       return;
-    drawLayers(canvas, area, after_frame_, {&after_, &target_layer_}, STRONG_RELIEF);
-    drawRuler(canvas, area, after_frame_);
+    const Area room = besideAxes(area);
+    drawLayers(canvas, room, after_frame_, {&after_, &target_layer_}, STRONG_RELIEF);
+    drawRuler(canvas, room, after_frame_);
+    drawAxes(canvas, area, poses_.front());
   }
 
   void
@@ -219,8 +247,43 @@ private:
     const Frame frame = frameOf(coloured.seen);
     drawLayers(canvas, panel, frame, {&coloured}, WEAK_RELIEF);
     drawRuler(canvas, panel, frame);
-    canvas.write(diagram.x, diagram.y - 10.0, "Points of SOURCE at each distance", panel_title);
+    canvas.write(diagram.x, diagram.y - 10.0, "Points of SOURCE at each distance",
+                 panel_title);
     drawHistogram(canvas, diagram, distances);
+  }
+
+  bool
+  isAmbiguous() const
+  {
+    return text_.verdict == PictureText::Verdict::AMBIGUOUS;
+  }
+
+  /** What axes leave of a panel. */
+  Area
+  besideAxes(const Area& area) const
+  {
+    return {area.x, area.y, area.width - (isAmbiguous() ? 2.0 * AXES_ROOM : 0.0),
+            area.height};
+  }
+
+  /** The directions of SOURCE's axes in the lower right corner: where things are
+   * symmetric, they alone tell poses apart. */
+  void
+  drawAxes(Canvas& canvas, const Area& area, const PicturePose& pose)
+  {
+    if (!isAmbiguous())
+      return;
+    constexpr double LENGTH = 24.0;
+    const double x = area.x + area.width - AXES_ROOM,
+                 y = area.y + area.height - AXES_ROOM;
+    Eigen::Matrix3d axes = view_ * pose.transformation.topLeftCorner<3, 3>();
+    axes /= std::cbrt(axes.determinant());
+    for (int axis = 0; axis < 3; ++axis) {
+      const double right = axes(0, axis), down = -axes(1, axis);
+      canvas.line(x, y, x + LENGTH * right, y + LENGTH * down, AXES);
+      canvas.write(x + (LENGTH + 8.0) * right - 4.0, y + (LENGTH + 8.0) * down + 4.0,
+                   std::string(1, "xyz"[axis]), {12.5, true, AXES});
+    }
   }
 
   void
@@ -228,8 +291,9 @@ private:
   {
     canvas.outline(area.x, area.y, area.width - 1.0, area.height - 1.0, pale);
     const Layer layer = sourceAt(pose.transformation);
-    drawLayers(canvas, area, unionOf(frameOf(layer.seen), target_frame_),
+    drawLayers(canvas, besideAxes(area), unionOf(frameOf(layer.seen), target_frame_),
                {&layer, &target_layer_}, STRONG_RELIEF);
+    drawAxes(canvas, area, pose);
     canvas.write(area.x, area.y + area.height + 18.0, pose.caption, {12.5});
   }
 

@@ -34,14 +34,16 @@ struct FineImage {
   add(const Splat& splat)
   {
     const float x = FINE * splat.x, y = FINE * splat.y, radius = FINE * splat.radius;
+    constexpr float BEYOND = 1e6f; // any image
+    if (!(std::abs(x) < BEYOND && std::abs(y) < BEYOND))
+      return;
     const int left = std::max(0, static_cast<int>(std::ceil(x - radius)));
     const int right = std::min(width - 1, static_cast<int>(std::floor(x + radius)));
     const int top = std::max(0, static_cast<int>(std::ceil(y - radius)));
     const int bottom = std::min(height - 1, static_cast<int>(std::floor(y + radius)));
     for (int row = top; row <= bottom; ++row)
       for (int column = left; column <= right; ++column) {
-        const float squared =
-            (column - x) * (column - x) + (row - y) * (row - y);
+        const float squared = (column - x) * (column - x) + (row - y) * (row - y);
         // a little domed: of points at one depth each shows its own part
         const float at = splat.height - 0.3f * squared / (FINE * radius);
         const std::size_t pixel = static_cast<std::size_t>(row) * width + column;
@@ -67,7 +69,8 @@ public:
   {
     for (int row = 0; row < FINE * height_; ++row)
       for (int column = 0; column < FINE * width_; ++column) {
-        float& depth = depth_[static_cast<std::size_t>(row / FINE) * width_ + column / FINE];
+        float& depth =
+            depth_[static_cast<std::size_t>(row / FINE) * width_ + column / FINE];
         depth = std::max(
             depth, fine.depth[static_cast<std::size_t>(row) * fine.width + column]);
       }
@@ -109,9 +112,12 @@ lightAt(const Depth& depth, int column, int row, int step)
       right_side += weight * rise * term;
     }
   const Eigen::Vector3f plane = equations.inverse() * right_side;
-  const Eigen::Vector3f normal = Eigen::Vector3f(-plane[0], -plane[1], 1.0f).normalized();
-  static const Eigen::Vector3f light = Eigen::Vector3f(-0.45f, -0.55f, 0.70f).normalized();
-  const float lit = std::max(0.0f, normal.dot(light));
+  const Eigen::Vector3f normal =
+      Eigen::Vector3f(-plane[0], -plane[1], 1.0f).normalized();
+  static const Eigen::Vector3f light =
+      Eigen::Vector3f(-0.45f, -0.55f, 0.70f).normalized();
+  // what faces away is in the half shade, not in the dark
+  const float lit = std::pow(0.5f + 0.5f * normal.dot(light), 1.3f);
   // what rises above the plane round here takes light away
   float risen = 0.0f;
   constexpr std::array<std::array<int, 2>, 8> around{
@@ -119,7 +125,8 @@ lightAt(const Depth& depth, int column, int row, int step)
   for (const auto& [i, j] : around)
     for (const int far : {2, 5}) {
       const int x = i * far * step, y = j * far * step;
-      const float rise = depth.at(column + x, row + y) - here - plane[0] * x - plane[1] * y;
+      const float rise =
+          depth.at(column + x, row + y) - here - plane[0] * x - plane[1] * y;
       risen += std::min(std::max(rise / (far * step), 0.0f), 1.0f) / 16.0f;
     }
   return lit * std::exp(-1.6f * risen);
@@ -141,8 +148,8 @@ mixed(const FineImage& fine, int column, int row, float brightness)
   }
   const float mean = 1.0f / (FINE * FINE);
   const auto byte = [&](float sum, float bright) {
-    return static_cast<std::uint32_t>(
-        std::min(mean * alpha, bright * mean * sum) + 0.5f);
+    return static_cast<std::uint32_t>(std::min(mean * alpha, bright * mean * sum) +
+                                      0.5f);
   };
   return byte(alpha, 1.0f) << 24 | byte(red, brightness) << 16 |
          byte(green, brightness) << 8 | byte(blue, brightness);

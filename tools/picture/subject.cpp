@@ -29,10 +29,13 @@ grouped(std::size_t number)
 Points
 visible(const Points& points)
 {
+  constexpr double FARTHEST = 1e18; // its square is a float
   pcl::Indices finite;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].allFinite())
+    if (points[i].allFinite() && points[i].cwiseAbs().maxCoeff() < FARTHEST)
       finite.push_back(static_cast<pcl::index_t>(i));
+  if (finite.empty())
+    return {Eigen::Vector3d::Zero()}; // a dot says that there is nothing to see
   Points some;
   for (const pcl::index_t i : pcl::kss::spread(finite, pcl::kss::bulk_points))
     some.push_back(points[static_cast<std::size_t>(i)]);

@@ -14,7 +14,8 @@ namespace tool {
 struct Subject {
   /** \brief Its name, and how many points or faces it has: "scan.ply, 1,000 points". */
   std::string title;
-  /** \brief All finite points; those of a mesh are spread over its faces. */
+  /** \brief All finite points, at least one; those of a mesh are spread over its faces.
+   */
   Points points;
 };
 

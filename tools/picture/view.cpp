@@ -22,7 +22,7 @@ constexpr double STRIP = 2.5, GROUND = 0.3;
 /** The cosine of an angle that is about none. */
 constexpr double STRAIGHT = 0.9;
 
-/** Right, up and towards the viewer, of whom the last and about the second are given. */
+/** Right, up and towards the viewer: the last is given, and the second about. */
 Eigen::Matrix3d
 axesOf(const Eigen::Vector3d& about_up, const Eigen::Vector3d& viewer)
 {
