@@ -85,8 +85,9 @@ writePicture(const Result& result,
       break; // the likeliest come first
     poses.push_back({pose.transformation, captionOf(pose, result.poses.front())});
   }
-  drawPicture(subjectOf(options.source, source), subjectOf(options.target, target),
-              poses, textOf(result, options), stream);
+  drawPicture(subjectOf(options.source, source, 1),
+              subjectOf(options.target, target, 2), poses, textOf(result, options),
+              stream);
 }
 
 } // namespace tool

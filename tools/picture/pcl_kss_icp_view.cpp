@@ -218,11 +218,11 @@ main(int argc, char** argv)
   }
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   try {
-    const auto subject = [&](const std::string& path) {
-      return subjectOf(path, readGeometry(path));
+    const auto subject = [](const std::string& path, unsigned int seed) {
+      return subjectOf(path, readGeometry(path), seed);
     };
     const nlohmann::json report = readReport(argv[3]);
-    Window(subject(argv[1]), subject(argv[2]), report).run();
+    Window(subject(argv[1], 1), subject(argv[2], 2), report).run();
     return 0;
   }
   catch (const std::exception& problem) {

@@ -51,7 +51,7 @@ visible(const Points& points)
 } // namespace
 
 Subject
-subjectOf(const std::string& path, const Geometry& geometry)
+subjectOf(const std::string& path, const Geometry& geometry, unsigned int seed)
 {
   const std::string name = std::filesystem::path(path).filename().string();
   if (!geometry.faces.empty()) {
@@ -59,7 +59,7 @@ subjectOf(const std::string& path, const Geometry& geometry)
     if (sampler.area() > 0.0) {
       Subject mesh{name + ", " + grouped(geometry.faces.size()) + " faces", {}};
       mesh.points.reserve(DRAWN_POINTS);
-      std::mt19937_64 generator(1);
+      std::mt19937_64 generator(seed);
       for (std::size_t i = 0; i < DRAWN_POINTS; ++i)
         mesh.points.push_back(sampler.draw(generator).position);
       return mesh;

@@ -22,9 +22,13 @@ struct Subject {
 /** \brief So many points are drawn of a cloud at most. */
 constexpr std::size_t DRAWN_POINTS = 150000;
 
-/** \param[in] path may have folders, which the title does without */
+/** \brief What is drawn of a file.
+ * \param[in] path may have folders, which the title does without
+ * \param[in] seed of the points spread over a mesh: two of them that had the same would
+ * seem to lie on each other more closely than their surfaces do
+ */
 Subject
-subjectOf(const std::string& path, const Geometry& geometry);
+subjectOf(const std::string& path, const Geometry& geometry, unsigned int seed);
 
 /** \brief DRAWN_POINTS of them at most, spread over all. */
 Points
