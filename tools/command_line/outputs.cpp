@@ -6,6 +6,7 @@
 
 #include "io/losses.h"
 #include "io/write_geometry.h"
+#include "picture_of_result.h"
 #include "report.h"
 
 #include <filesystem>
@@ -42,6 +43,9 @@ Outputs::Outputs(const Options& options)
   prepare(options.aligned, aligned_);
   prepare(options.transform, transform_);
   prepare(options.report, report_);
+  if (!options.picture.empty())
+    checkPictures();
+  prepare(options.picture, picture_);
 }
 
 void
@@ -60,9 +64,17 @@ Outputs::lossesOf(const Geometry& source) const
 }
 
 void
-Outputs::write(const Result& result, Geometry source)
+Outputs::write(const Result& result, Geometry source, const Geometry& target)
 {
   const bool registered = result.converged;
+  if (report_)
+    report_->write([&](std::ostream& stream) {
+      stream << reportText(result, options_, source, target);
+    });
+  if (picture_)
+    picture_->write([&](std::ostream& stream) {
+      writePicture(result, options_, source, target, stream);
+    });
   if (aligned_ && registered)
     aligned_->write([&](std::ostream& stream) {
       writeGeometry(transformed(std::move(source), result.poses.front().transformation),
@@ -72,11 +84,9 @@ Outputs::write(const Result& result, Geometry source)
     transform_->write([&](std::ostream& stream) {
       stream << transformationText(result.poses.front().transformation);
     });
-  if (report_)
-    report_->write([&](std::ostream& stream) { stream << reportText(result); });
 
   const SignalsHeld held; // all of them or none
-  for (auto* file : {aligned_.get(), transform_.get(), report_.get()})
+  for (auto* file : {aligned_.get(), transform_.get(), report_.get(), picture_.get()})
     if (file)
       file->putInPlace();
 }

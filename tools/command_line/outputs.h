@@ -30,13 +30,14 @@ public:
   void
   checkFormat(const Geometry& source) const;
 
-  /** \brief Write all files, or only the report where nothing has been registered.
+  /** \brief Write all files, or only the report and the picture where nothing has been
+   * registered.
    *
    * All of them or none are put in their places.
    * \throws std::runtime_error naming the file that cannot be written
    */
   void
-  write(const Result& result, Geometry source);
+  write(const Result& result, Geometry source, const Geometry& target);
 
   /** \brief What of the source the aligned file does not hold, in words for the user.
    */
@@ -46,7 +47,7 @@ public:
 private:
   Options options_;
   FileFormat aligned_format_ = FileFormat::PLY;
-  std::unique_ptr<OutputFile> aligned_, transform_, report_;
+  std::unique_ptr<OutputFile> aligned_, transform_, report_, picture_;
 };
 
 } // namespace tool
