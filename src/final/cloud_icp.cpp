@@ -145,9 +145,8 @@ CloudICP::nextStep()
     return step.transformation;
   // no surfaces: S. Umeyama, "Least-squares estimation of transformation parameters
   // between two point patterns", 1991
-  const Eigen::Matrix4d moved = Eigen::umeyama(matches_.source, matches_.target, false);
-  steps_.moved(moved);
-  return moved;
+  return steps_.taken(Eigen::umeyama(matches_.source, matches_.target, false),
+                      matches_);
 }
 
 std::shared_ptr<FinalRun>

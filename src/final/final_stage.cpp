@@ -9,6 +9,8 @@
 #include <pcl/registration/kss/detail/similarity.h>
 #include <pcl/registration/kss/detail/stopping.h>
 
+#include "geometry/turns.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -97,8 +99,11 @@ FinalStage::settle(const Alternatives& alternatives,
   for (const Alternative& alternative : alternatives)
     contenders.push_back({alternative});
   try {
-    if (guess)
-      contenders.insert(contenders.begin(), {scorer_.scored(*guess), {}, true});
+    if (guess) {
+      const StoredPose upright =
+          turnedAbout(settings_.rotation_axis, *guess, clouds_.source_centroid);
+      contenders.insert(contenders.begin(), {scorer_.scored(upright), {}, true});
+    }
     runAll(contenders);
     std::stable_sort(contenders.begin(), contenders.end(), isMoreLikely);
     contenders.front() = onSkinBeside(contenders.front());
@@ -235,6 +240,7 @@ FinalStage::surfaceStepSettings(bool estimate_scale, bool has_skins) const
     settings.smallest_scale = settings_.smallest_scale;
     settings.largest_scale = settings_.largest_scale;
   }
+  settings.rotation_axis = settings_.rotation_axis;
   settings.rounding_error = clouds_.rounding_error;
   settings.has_skins = has_skins;
   settings.source_normal_error = scorer_.sourceNormalError();

@@ -4,6 +4,8 @@
 
 #include <pcl/registration/kss/detail/surface_steps.h>
 
+#include "geometry/turns.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -145,15 +147,18 @@ SurfaceSteps::step(const Matches& matches)
   run.moves.push_back(run.last.squared_errors_moved);
   run.settings.contraction = run.contraction();
   if (run.last.is_found)
-    moved(run.last.transformation);
+    run.linear = run.last.transformation.topLeftCorner<3, 3>() * run.linear;
   return run.last;
 }
 
-void
-SurfaceSteps::moved(const Eigen::Matrix4d& transformation)
+StoredPose
+SurfaceSteps::taken(const StoredPose& transformation, const Matches& matches)
 {
-  implementation_->linear =
-      transformation.topLeftCorner<3, 3>() * implementation_->linear;
+  Implementation& run = *implementation_;
+  const StoredPose step = turnedAbout(run.settings.rotation_axis, transformation,
+                                      matches.source.rowwise().mean());
+  run.linear = step.topLeftCorner<3, 3>() * run.linear;
+  return step;
 }
 
 const SurfaceStep&

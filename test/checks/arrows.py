@@ -25,7 +25,7 @@ ARROWS = {
     "src/surfaces": ["src/geometry", "src/support"],
     "src/refinement": ["src/surfaces", "src/preparation", "src/geometry",
                        "src/support"],
-    "src/final": ["src/support"],
+    "src/final": ["src/geometry", "src/support"],
     # where all of them meet
     "src": ["src/final", "src/refinement", "src/search", "src/candidates", "src/preparation",
             "src/geometry", "src/support"],

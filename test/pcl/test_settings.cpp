@@ -239,6 +239,8 @@ TEST(KSSICP, HasSettersThatRefuseTheSame)
   EXPECT_EQ(Mode::PARTIAL_PARTIAL, r.getFoundMode());
   r.setScaleEstimation(false);
   EXPECT_FALSE(r.getScaleEstimation());
+  r.setRotationAxis(RotationAxis::Z);
+  EXPECT_EQ(RotationAxis::Z, r.getRotationAxis());
   r.setDevice("host");
   EXPECT_EQ("host", r.getDevice());
   r.setNumberOfThreads(3);

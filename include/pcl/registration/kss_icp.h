@@ -236,6 +236,24 @@ public:
     return settings_.largest_scale;
   }
 
+  /** \brief Set what the rotation is about: where both clouds are upright along an axis
+   * of their frames, as levelled scans are, fewer poses are tried, and less looks alike.
+   * A guess is turned upright; an estimation that is set by
+   * setTransformationEstimation() may tilt the result.
+   */
+  void
+  setRotationAxis(kss::RotationAxis axis)
+  {
+    set(&kss::Settings::rotation_axis, axis);
+  }
+
+  /** \brief Get what the rotation is about. */
+  kss::RotationAxis
+  getRotationAxis() const
+  {
+    return settings_.rotation_axis;
+  }
+
   /** \brief Set where the search runs.
    * \param[in] device "auto" for the first OpenCL device, GPUs first, or the host, with
    * a warning, where there is none; "host" for no OpenCL; otherwise all OpenCL devices

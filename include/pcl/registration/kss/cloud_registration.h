@@ -63,7 +63,7 @@ struct Registered {
  */
 class PCL_KSS_ICP_EXPORT CloudRegistration {
 public:
-  /** \param[in] settings those out of bounds are replaced by the defaults: see checked()
+  /** \param[in] settings where one is out of bounds, the default stands: checked()
    */
   explicit CloudRegistration(const Settings& settings = {});
 

@@ -25,6 +25,14 @@ enum class Mode {
            ///< things; at a known scale
 };
 
+/** \brief What the rotation of the result is about. */
+enum class RotationAxis {
+  ANY, ///< any axis (default)
+  X,   ///< the x axis of both clouds: they are upright along it, or lie alike
+  Y,   ///< the y axis of both clouds
+  Z    ///< the z axis of both clouds: levelled scans
+};
+
 /** \brief How the simplification spreads its points over the cloud. */
 enum class Density {
   UNIFORM, ///< by occupied area: uneven input density is evened out (default)
@@ -79,6 +87,7 @@ struct Settings {
   bool estimate_scale = true;
   double smallest_scale = 0.0;
   double largest_scale = std::numeric_limits<double>::infinity();
+  RotationAxis rotation_axis = RotationAxis::ANY;
 
   bool clean = true;
   unsigned int sample_points = 2000;

@@ -40,15 +40,19 @@ public:
                               const Correspondences& correspondences,
                               Matrix4& transformation) const override
   {
-    if (steps_.haveClouds()) {
-      const SurfaceStep& step = steps_.step(matchesOf(source, target, correspondences));
-      if (step.is_found) {
-        transformation = step.transformation.template cast<Scalar>();
-        return;
-      }
+    if (!steps_.haveClouds()) {
+      Base::estimateRigidTransformation(source, target, correspondences,
+                                        transformation);
+      return;
     }
-    Base::estimateRigidTransformation(source, target, correspondences, transformation);
-    steps_.moved(transformation.template cast<double>());
+    const Matches matches = matchesOf(source, target, correspondences);
+    StoredPose move = steps_.step(matches).transformation;
+    if (!steps_.last().is_found) {
+      Base::estimateRigidTransformation(source, target, correspondences,
+                                        transformation);
+      move = steps_.taken(transformation.template cast<double>(), matches);
+    }
+    transformation = move.template cast<Scalar>();
   }
 
 private:

@@ -68,14 +68,16 @@ public:
 
   /** \brief Make a step.
    * \return it; not found where points have no surface: another one may then be made,
-   * see moved()
+   * see taken()
    */
   const SurfaceStep&
   step(const Matches& matches);
 
-  /** \brief Tell of a step that somebody else has made. */
-  void
-  moved(const Eigen::Matrix4d& transformation);
+  /** \brief Take a step that somebody else has made from the same pairs.
+   * \return it, turned about the axis that rotations are about
+   */
+  StoredPose
+  taken(const StoredPose& transformation, const Matches& matches);
 
   /** \brief The last step. */
   const SurfaceStep&

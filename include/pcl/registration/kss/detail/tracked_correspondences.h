@@ -17,8 +17,8 @@ namespace pcl {
 namespace kss {
 
 /** \brief PCL's nearest point correspondences, without asking the tree for what is
- * known from the iteration before (\ref TrackedPoint). Nor is the tree built again where
- * it already holds the target.
+ * known from the iteration before (\ref TrackedPoint). Nor is the tree built again
+ * where it already holds the target.
  */
 template <typename PointSource, typename PointTarget, typename Scalar>
 class TrackedCorrespondences
