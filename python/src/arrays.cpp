@@ -104,6 +104,14 @@ dictOf(const kss::Alternative& alternative)
 
 } // namespace
 
+kss::StoredPose
+poseOf(const Rows<double>& matrix)
+{
+  if (matrix.ndim() != 2 || matrix.shape(0) != 4 || matrix.shape(1) != 4)
+    throw std::invalid_argument("4 x 4 numbers are needed");
+  return Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(matrix.data());
+}
+
 kss::Cloud
 cloudOf(const Rows<double>& points, const Rows<float>& normals)
 {

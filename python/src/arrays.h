@@ -24,6 +24,10 @@ using Rows = pybind11::array_t<Scalar, pybind11::array::c_style>;
 pcl::kss::Cloud
 cloudOf(const Rows<double>& points, const Rows<float>& normals);
 
+/** \brief A pose from 4 x 4 numbers. */
+pcl::kss::StoredPose
+poseOf(const Rows<double>& matrix);
+
 /** \brief A result as a dictionary by the names of the package's Result. */
 pybind11::dict
 dictOf(const pcl::kss::Registered& result);

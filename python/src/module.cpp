@@ -11,7 +11,6 @@
 #include <pcl/registration/kss/detail/warnings.h>
 #include <pcl/registration/kss/devices.h>
 
-#include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
 #include <memory>
@@ -59,7 +58,7 @@ public:
         const Rows<float>& source_normals,
         const Rows<double>& target,
         const Rows<float>& target_normals,
-        const std::optional<Eigen::Matrix4d>& guess,
+        const std::optional<Rows<double>>& guess,
         const py::object& progress)
   {
     const std::unique_lock<std::mutex> lock(busy_, std::try_to_lock);
@@ -69,7 +68,7 @@ public:
     const kss::Cloud to = cloudOf(target, target_normals);
     std::optional<kss::StoredPose> start;
     if (guess)
-      start = *guess;
+      start = poseOf(*guess);
     kss::Registered result;
     Attended attended(progress, [this] { registration_.cancel(); });
     attended_ = &attended;
