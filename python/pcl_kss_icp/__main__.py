@@ -203,7 +203,7 @@ def main(arguments: Optional[List[str]] = None) -> int:
         return SUCCESS
     if options.target is None:
         parser.error("needs SOURCE and TARGET")
-    warnings.showwarning = lambda message, *_: _complain(f"warning: {message}")  # type: ignore
+    warnings.showwarning = lambda message, *_: _complain(f"warning: {message}")
     if options.quiet:
         warnings.simplefilter("ignore")
     try:

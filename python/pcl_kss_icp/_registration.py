@@ -24,7 +24,7 @@ class Setting(NamedTuple):
 
 
 SETTINGS: Mapping[str, Setting] = MappingProxyType(
-    {name: Setting(*row) for name, *row in _core.settings_table()})
+    {row[0]: Setting(*row[1:]) for row in _core.settings_table()})
 """All settings by name, as the command line tool and the C++ library have them."""
 
 

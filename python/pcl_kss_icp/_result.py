@@ -120,7 +120,7 @@ class Result(_Frozen):
             raise ValueError("points: N x 3 numbers are needed, or N x 6 with normals, "
                              f"not an array of shape {rows.shape}.")
         linear = self.transformation[:3, :3]
-        placed = rows[..., :3] @ linear.T + self.transformation[:3, 3]
+        placed: Matrix = rows[..., :3] @ linear.T + self.transformation[:3, 3]
         if rows.shape[-1] == 3:
             return placed
         return np.concatenate([placed, rows[..., 3:] @ (linear.T / self.scale)], axis=-1)
