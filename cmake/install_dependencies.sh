@@ -9,6 +9,7 @@ packages=(
   libboost-program-options-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev clang libclang-rt-dev
   python3-matplotlib python3-numpy
+  python3-dev python3-pip python3-venv python3-pytest
   clang-format-14 doxygen)
 
 missing=()
