@@ -34,6 +34,19 @@ misfitButScaled(double fitting, double given)
          ", or is the scale to be estimated?";
 }
 
+constexpr const char* misfit_but_metric =
+    "The clouds do not fit at an unknown scale, but at scale 1, as an object in a scene: "
+    "if that is known, use setScaleEstimation(false), on the command line --rigid.";
+
+/** Whether one of the clouds may be an object in the other one, at scale 1: there none is
+ * looked for where the scale is estimated. */
+bool
+mayBeAnObjectInAScene(const Settings& settings, double given_scale)
+{
+  return settings.mode == Mode::AUTOMATIC && given_scale == 1.0 &&
+         settings.smallest_scale <= 1.0 && settings.largest_scale >= 1.0;
+}
+
 } // namespace
 
 std::string
@@ -47,13 +60,16 @@ whatWouldFit(const Settings& settings,
     return "The source fits the target only as its mirror image: is an axis of one of "
            "them turned round, or is it a counterpart, as a left hand is of a right "
            "one?";
-  if (settings.estimate_scale ||
-      std::abs(std::log(size_ratio / given_scale)) < std::log(same_size))
+  if (std::abs(std::log(size_ratio / given_scale)) < std::log(same_size) ||
+      (settings.estimate_scale && !mayBeAnObjectInAScene(settings, given_scale)))
     return "";
-  Settings any_scale = settings;
-  any_scale.estimate_scale = true;
-  const std::optional<double> fitting = scale_of_fit(false, any_scale);
-  return fitting ? misfitButScaled(*fitting, given_scale) : "";
+  Settings other = settings;
+  other.estimate_scale = !settings.estimate_scale;
+  const std::optional<double> fitting = scale_of_fit(false, other);
+  if (!fitting)
+    return "";
+  return settings.estimate_scale ? misfit_but_metric
+                                 : misfitButScaled(*fitting, given_scale);
 }
 
 } // namespace kss

@@ -60,8 +60,7 @@ turnedAbout(RotationAxis axis,
   const double scale = std::cbrt(linear.determinant());
   StoredPose turned = similarity;
   turned.topLeftCorner<3, 3>() = scale * nearestRotation(linear / scale, axis);
-  turned.topRightCorner<3, 1>() +=
-      (linear - turned.topLeftCorner<3, 3>()) * point;
+  turned.topRightCorner<3, 1>() += (linear - turned.topLeftCorner<3, 3>()) * point;
   return turned;
 }
 

@@ -91,10 +91,9 @@ PoseScorer::skinBeside(const Eigen::Matrix4d& transformation) const
 {
   if (shapes_->is_noisy)
     return {};
-  const std::optional<Similarity> pose =
-      kss::skinBeside(shapes_->source.surface, shapes_->target.surface,
-                      poseOf(transformation, *shapes_), shapes_->scales,
-                      turnsOf(shapes_->axis));
+  const std::optional<Similarity> pose = kss::skinBeside(
+      shapes_->source.surface, shapes_->target.surface,
+      poseOf(transformation, *shapes_), shapes_->scales, turnsOf(shapes_->axis));
   if (!pose)
     return {};
   return StoredPose((shapes_->target.simplified.T_cloud_shape() * *pose *

@@ -27,9 +27,8 @@ withTurnedOnes(std::vector<Similarity> poses, const Turns& turns)
     for (Eigen::Index axis = 0; axis < turns.cols(); ++axis)
       for (const double angle : {-0.3, -0.15, 0.15, 0.3}) {
         Similarity turned = poses[i];
-        turned.rotation *=
-            Eigen::AngleAxisd(angle, Eigen::Vector3d(turns.col(axis)))
-                .toRotationMatrix();
+        turned.rotation *= Eigen::AngleAxisd(angle, Eigen::Vector3d(turns.col(axis)))
+                               .toRotationMatrix();
         poses.push_back(turned);
       }
   return poses;

@@ -77,13 +77,13 @@ surfacePrecision(const SurfacePairs& pairs,
   for (Eigen::Index i = 0; i < directions.cols(); ++i)
     if (solver.eigenvalues()[i] >= least)
       for (const Change& pull : pulls)
-        variance += std::pow(directions.col(i).dot(pull.head(n)), 2) /
-                    solver.eigenvalues()[i];
+        variance +=
+            std::pow(directions.col(i).dot(pull.head(n)), 2) / solver.eigenvalues()[i];
     else
       ++precision.undetermined;
   const auto count = static_cast<double>(pulls.size());
-  variance *=
-      count / std::max(count - 1.0, 1.0) / std::max(static_cast<int>(free.cols()) - precision.undetermined, 1);
+  variance *= count / std::max(count - 1.0, 1.0) /
+              std::max(static_cast<int>(free.cols()) - precision.undetermined, 1);
   variance = std::max(variance, normal.variance);
   // matches and weights follow the pose and take back a part of what the equations
   // promise: the error is larger by as much as steps fall short

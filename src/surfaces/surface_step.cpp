@@ -95,8 +95,12 @@ surfaceStep(const SurfacePairs& pairs, const SurfaceStepSettings& settings)
     }
     unknowns += change;
   }
-  step.squared_errors_moved = unknowns.dot(normal.matrix * unknowns) /
-                              (static_cast<double>(free.cols()) * normal.variance);
+  const double rounding = settings.rounding_error * settings.rounding_error;
+  // points average their own rounding out, but not that of the pose, which they share
+  const double squared_errors =
+      std::min(unknowns.dot(normal.matrix * unknowns) / normal.variance,
+               unknowns.squaredNorm() / std::max(rounding, 1e-300));
+  step.squared_errors_moved = squared_errors / static_cast<double>(free.cols());
   step.transformation = similarityOf(unknowns, equations.center, equations.radius);
   step.is_found = step.transformation.allFinite();
   return step;

@@ -39,25 +39,23 @@ TEST(Turns, NearestRotationHasTheLargestTraceOfThoseAboutTheAxis)
       EXPECT_TRUE((found * axis).isApprox(axis, 1e-12));
       const double trace = (found.transpose() * matrix).trace();
       for (double angle = 0.0; angle < 6.3; angle += 0.01)
-        EXPECT_GE(trace + 1e-9, (Eigen::AngleAxisd(angle, axis)
-                                     .toRotationMatrix()
-                                     .transpose() *
-                                 matrix)
-                                    .trace());
+        EXPECT_GE(
+            trace + 1e-9,
+            (Eigen::AngleAxisd(angle, axis).toRotationMatrix().transpose() * matrix)
+                .trace());
     }
     const Eigen::Matrix3d any = nearestRotation(matrix, RotationAxis::ANY);
     EXPECT_GT(any.determinant(), 0.0);
     for (int other = 0; other < 100; ++other)
-      EXPECT_GE((any.transpose() * matrix).trace() + 1e-9,
-                (randomRotation(random).toRotationMatrix().transpose() * matrix)
-                    .trace());
+      EXPECT_GE(
+          (any.transpose() * matrix).trace() + 1e-9,
+          (randomRotation(random).toRotationMatrix().transpose() * matrix).trace());
   }
 }
 
 TEST(Turns, ATiltedPoseIsTurnedUprightAboutAPoint)
 {
-  const Eigen::Quaterniond upright(
-      Eigen::AngleAxisd(2.0, Eigen::Vector3d::UnitZ()));
+  const Eigen::Quaterniond upright(Eigen::AngleAxisd(2.0, Eigen::Vector3d::UnitZ()));
   const Eigen::Quaterniond tilt(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX()));
   const Eigen::Vector3d point(1.0, 2.0, 3.0);
   const StoredPose tilted = similarity(tilt * upright, 1.5, {4.0, 5.0, 6.0});

@@ -39,12 +39,12 @@ printed(const std::function<void()>& function)
 TEST(Settings, AreAllInTheTable)
 {
   // does not compile with another number of members: give a new one a row
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u,
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v,
                progress] = Settings();
-  constexpr std::size_t members = 21;
+  constexpr std::size_t members = 22;
   EXPECT_EQ(members, std::tuple_size_v<decltype(setting::table)>);
   const std::set<const void*> addresses{&a, &b, &c, &d, &e, &f, &g, &h, &i, &j, &k,
-                                        &l, &m, &n, &o, &p, &q, &r, &s, &t, &u};
+                                        &l, &m, &n, &o, &p, &q, &r, &s, &t, &u, &v};
   EXPECT_EQ(nullptr, progress);
   const Settings settings;
   std::set<std::string> names;
@@ -82,6 +82,7 @@ TEST(Settings, AskForTheSameWorkUnlessOneOfThemDiffers)
       [](Settings& s) { s.estimate_scale = false; },
       [](Settings& s) { s.smallest_scale = 0.77; },
       [](Settings& s) { s.largest_scale = 1.77; },
+      [](Settings& s) { s.rotation_axis = RotationAxis::Y; },
       [](Settings& s) { s.device = "host"; },
       [](Settings& s) { s.threads = 7; }};
   for (const auto& change : others) {

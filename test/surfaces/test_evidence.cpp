@@ -160,8 +160,8 @@ TEST(Skin, IsNotSoughtWhereAllIsExplained)
 {
   const OrientedPoints source = surfaceOf(sampled(creature(), 5000, 14));
   const OrientedPoints target = surfaceOf(sampled(creature(), 5000, 15));
-  EXPECT_FALSE(skinBeside(source, target, Similarity(), {0.5, 2.0},
-                          turnsOf(RotationAxis::ANY)));
+  EXPECT_FALSE(
+      skinBeside(source, target, Similarity(), {0.5, 2.0}, turnsOf(RotationAxis::ANY)));
 }
 
 } // namespace

@@ -151,15 +151,27 @@ public:
   void
   align(PointCloudSource& output, const Matrix4& guess);
 
-  /** \brief Mean squared distance from the (indexed, finite) aligned source points to
-   * their nearest neighbours in the target.
+  /** \brief Mean squared distance from the (finite) aligned source points to their
+   * nearest neighbours in the target.
    * \param[in] max_range pairs whose \e squared distance exceeds it are left out, as in
    * PCL
+   * \param[in] use_indices whether the indexed points alone count; PCL has it after
+   * 1.15, and there it is false unless given
    * \return the score, or the largest double where no pair is left
    */
   double
-  getFitnessScore(double max_range = std::numeric_limits<double>::max());
-  using Base::getFitnessScore;
+  getFitnessScore(double max_range = std::numeric_limits<double>::max(),
+                  bool use_indices = true);
+
+  /** \brief Mean difference between two sets of distances, as in PCL: by name, since
+   * what else the base class has of this name differs with PCL's version.
+   */
+  double
+  getFitnessScore(const std::vector<float>& distances_a,
+                  const std::vector<float>& distances_b)
+  {
+    return Base::getFitnessScore(distances_a, distances_b);
+  }
 
   /** \brief Register a function that is called with every iteration of the final ICP.
    * \return whether the function can be called
@@ -236,10 +248,10 @@ public:
     return settings_.largest_scale;
   }
 
-  /** \brief Set what the rotation is about: where both clouds are upright along an axis
-   * of their frames, as levelled scans are, fewer poses are tried, and less looks alike.
-   * A guess is turned upright; an estimation that is set by
-   * setTransformationEstimation() may tilt the result.
+  /** \brief Set what the rotation is about: where both clouds are upright along an
+   * axis of their frames, as levelled scans are, fewer poses are tried, and less looks
+   * alike; what is tilted by more than the noise is refused. A guess is turned upright;
+   * an estimation that is set by setTransformationEstimation() may tilt the result.
    */
   void
   setRotationAxis(kss::RotationAxis axis)

@@ -316,18 +316,19 @@ KSSICP<PointSource, PointTarget, Scalar>::place(const PointCloudSource& input,
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 double
-KSSICP<PointSource, PointTarget, Scalar>::getFitnessScore(double max_range)
+KSSICP<PointSource, PointTarget, Scalar>::getFitnessScore(double max_range,
+                                                          bool use_indices)
 {
   double sum = 0.0;
   std::size_t pairs = 0;
   if (input_ && target_ && tree_->getInputCloud()) {
     PointCloudSource aligned;
-    if (source_is_output_)
+    if (source_is_output_ || !use_indices)
       aligned = *input_;
-    else {
+    else
       copyIndexedSource(aligned);
+    if (!source_is_output_)
       place(aligned, aligned, final_transformation_);
-    }
     Indices index(1);
     std::vector<float> squared(1);
     for (const PointSource& point : aligned) {

@@ -165,7 +165,8 @@ KSSICP<PointSource, PointTarget, Scalar>::accept(const kss::FinalContender& cont
   const Run& run = static_cast<const Run&>(*contender.run);
   // later on, an estimation that is none can have led away from all
   if (run.iterations == 0 &&
-      run.correspondences.size() < this->min_number_correspondences_)
+      run.correspondences.size() <
+          static_cast<std::size_t>(this->min_number_correspondences_))
     throw kss::RegistrationError(
         kss::FailureCause::UNSETTLED,
         "The final ICP found too few correspondences; allow longer ones, or reject "

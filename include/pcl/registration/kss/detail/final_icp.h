@@ -71,8 +71,8 @@ public:
       this->convergence_state_ = Base::CONVERGENCE_CRITERIA_TRANSFORM;
       return true;
     }
-    if (this->convergence_state_ == Base::CONVERGENCE_CRITERIA_NOT_CONVERGED &&
-        this->correspondences_cur_mse_ <= rounding_error_)
+    // and so are those that had met before
+    if (this->correspondences_cur_mse_ <= rounding_error_)
       this->convergence_state_ = Base::CONVERGENCE_CRITERIA_ABS_MSE;
     return this->convergence_state_ == Base::CONVERGENCE_CRITERIA_ABS_MSE;
   }

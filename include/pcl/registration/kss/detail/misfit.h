@@ -24,7 +24,8 @@ using ScaleOfFit =
     std::function<std::optional<double>(bool is_mirrored, const Settings& settings)>;
 
 /** \brief One sentence on what would fit where nothing does: the mirror image of the
- * source, or another scale than the one given; empty where neither does.
+ * source, or another scale than the one given, or that scale where it has been
+ * estimated; empty where none does.
  * \param[in] settings nothing fits with
  * \param[in] overlap at the best pose
  * \param[in] given_scale the scale of all poses where it is not estimated
