@@ -110,9 +110,9 @@ def _report_of(result: Result) -> Dict[str, Any]:
     """By the names of the C++ tool's report."""
     has_pose = bool(result.alternatives)
     covariance = result.covariance if has_pose else None
-    deviation = None
-    if covariance is not None:
-        deviation = result.scale * float(np.sqrt(covariance[6, 6])) if len(covariance) > 6 else 0.0
+    deviation = None if covariance is None else 0.0
+    if covariance is not None and len(covariance) > 6:
+        deviation = result.scale * float(np.sqrt(covariance[6, 6]))
     report: Dict[str, Any] = {"converged": result.converged}
     if not result.converged:
         report.update(reason=result.reason, cause=result.cause)

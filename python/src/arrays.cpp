@@ -140,12 +140,13 @@ dictOf(const kss::Registered& result)
   dict["alternatives"] = alternatives;
   dict["covariance"] = py::none();
   if (unknowns > 0)
-    dict["covariance"] = Eigen::MatrixXd(
-        result.precision.covariance.topLeftCorner(unknowns, unknowns));
+    dict["covariance"] =
+        Eigen::MatrixXd(result.precision.covariance.topLeftCorner(unknowns, unknowns));
   dict["undetermined"] = result.precision.undetermined;
   dict["mode"] = wordOf(result.mode);
   dict["iterations"] = result.iterations;
-  dict["far_points"] = py::make_tuple(result.far_points.source, result.far_points.target);
+  dict["far_points"] =
+      py::make_tuple(result.far_points.source, result.far_points.target);
   dict["seconds"] = seconds;
   // names of devices may hold anything
   dict["device"] = py::reinterpret_steal<py::str>(PyUnicode_DecodeUTF8(

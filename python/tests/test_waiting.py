@@ -111,9 +111,9 @@ def test_one_registration_is_for_one_thread_at_a_time(pair):
 
 
 INTERRUPTED = textwrap.dedent("""
-    import sys, time
+    import signal, sys, time
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a job may ignore it
     sys.path.insert(0, {tests!r})
-    import numpy as np
     import pcl_kss_icp
     from conftest import Pair
     from test_waiting import LONG
