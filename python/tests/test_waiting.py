@@ -15,9 +15,9 @@ import pytest
 import pcl_kss_icp
 from conftest import Pair
 
-# takes seconds: all pairs of points
-LONG = {"search": "exact", "energy": "hausdorff", "threads": 1,
-        "device": "host", "mode": "overlap"}
+# takes many seconds
+LONG = {"even_rotations": 100000, "search_points": 128, "threads": 1, "device": "host",
+        "mode": "overlap"}
 
 
 def test_progress_is_told_stage_by_stage_on_this_thread(pair):
@@ -129,24 +129,34 @@ INTERRUPTED = textwrap.dedent("""
 """)
 
 
-@pytest.mark.parametrize("device", ["host", "auto"])
-@pytest.mark.parametrize("after", [0.0, 0.02, 1.0])
-def test_ctrl_c(device, after):
-    code = INTERRUPTED.format(tests=os.path.dirname(__file__), device=device)
+def seconds_to_interrupt(code, after):
+    """From Ctrl-C to KeyboardInterrupt; None: it came before align() had begun."""
     with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True) as process:
         assert process.stdout.readline() == "ready\n"
         time.sleep(after)
         sent = time.time()
         process.send_signal(signal.SIGINT)
-        output, errors = process.communicate(timeout=60)
+        output, errors = process.communicate(timeout=30)
     if after == 0.0 and "KeyboardInterrupt" in errors:
-        return  # before align() had begun
+        return None
     assert errors == ""
     raised, again = output.split()
-    # two tenths of a second, and as much for a machine that is busy
-    assert float(raised) - sent < 0.5
     assert again == "again"
+    return float(raised) - sent
+
+
+@pytest.mark.parametrize("device", ["host", "auto"])
+@pytest.mark.parametrize("after", [0.0, 0.02, 1.0])
+def test_ctrl_c(device, after):
+    code = INTERRUPTED.format(tests=os.path.dirname(__file__), device=device)
+    # two tenths of a second, and as much for a machine that is busy, which it may be for
+    # longer, but not three times on end
+    for _ in range(3):
+        seconds = seconds_to_interrupt(code, after)
+        if seconds is None or seconds < 0.4:
+            return
+    pytest.fail(f"ended {seconds} s after Ctrl-C")
 
 
 def test_handlers_of_the_program_run_meanwhile(pair):
