@@ -7,7 +7,7 @@ import json
 import os
 import sys
 import warnings
-from typing import Any, Dict, List, Optional
+from typing import Any, Dict, List, Mapping, Optional
 
 import numpy as np
 
@@ -136,7 +136,7 @@ def _report_of(result: Result) -> Dict[str, Any]:
 
 def _without_infinities(value: Any) -> Any:
     """JSON has no infinity and no NaN: null stands for them."""
-    if isinstance(value, dict):
+    if isinstance(value, Mapping):
         return {key: _without_infinities(each) for key, each in value.items()}
     if isinstance(value, (list, tuple)):
         return [_without_infinities(each) for each in value]
