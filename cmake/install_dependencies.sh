@@ -7,6 +7,7 @@ packages=(
   libpcl-dev libeigen3-dev
   ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd
   libboost-program-options-dev nlohmann-json3-dev
+  pkg-config libcairo2-dev fonts-dejavu-core
   libgtest-dev libbenchmark-dev clang libclang-rt-dev
   python3-matplotlib python3-numpy
   python3-dev python3-pip python3-venv python3-pytest

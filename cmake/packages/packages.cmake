@@ -12,7 +12,7 @@ if(NOT BUILD_SHARED_LIBS OR NOT EXISTS /etc/debian_version OR DEFINED SKBUILD)
   return()
 endif()
 set(packages "")
-foreach(component library development tool python)
+foreach(component library development tool view python)
   if(component IN_LIST components)
     list(APPEND packages ${component})
   endif()
@@ -73,6 +73,18 @@ set(CPACK_COMPONENT_TOOL_DESCRIPTION
 "registration of point clouds without a guess - command line tool
 pcl_kss_icp places one file upon another: clouds and meshes in PCD, PLY, OBJ,
 STL, OFF and text.
+
+${about}")
+
+set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS pcl-kss-icp-view)
+
+set(CPACK_DEBIAN_VIEW_PACKAGE_NAME pcl-kss-icp-view)
+set(CPACK_DEBIAN_VIEW_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_VIEW_PACKAGE_DEPENDS "pcl-kss-icp (= ${debian_version})")
+set(CPACK_COMPONENT_VIEW_DESCRIPTION
+"registration of point clouds without a guess - viewer
+What pcl_kss_icp --view shows a result with: the clouds, the distances between
+them, and the other poses that fit as well.
 
 ${about}")
 

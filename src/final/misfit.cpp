@@ -35,11 +35,12 @@ misfitButScaled(double fitting, double given)
 }
 
 constexpr const char* misfit_but_metric =
-    "The clouds do not fit at an unknown scale, but at scale 1, as an object in a scene: "
-    "if that is known, use setScaleEstimation(false), on the command line --rigid.";
+    "The clouds do not fit at an unknown scale, but at scale 1, as an object in a "
+    "scene: if that is known, use setScaleEstimation(false), on the command line "
+    "--rigid.";
 
-/** Whether one of the clouds may be an object in the other one, at scale 1: there none is
- * looked for where the scale is estimated. */
+/** Whether one of the clouds may be an object in the other one, at scale 1: where the
+ * scale is estimated, none is looked for. */
 bool
 mayBeAnObjectInAScene(const Settings& settings, double given_scale)
 {

@@ -32,7 +32,8 @@ ARROWS = {
     # the class for PCL's points: what is installed, and nothing else
     "src/pcl": [],
     "tools/io": [],
-    "tools/command_line": ["tools/io"],
+    "tools/picture": ["tools/io"],
+    "tools/command_line": ["tools/picture", "tools/io"],
 }
 # What may reach the CL headers, be it by way of another header.
 OPENCL = re.compile(r"src/(opencl/.*|evaluators/(.*_opencl\..*|.*_of_devices\.h|"

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  *
  * The table of settings, and what follows from it: what KSSICP refuses, which settings
- * ask for the same work, and the README's table.
+ * ask for the same work, and the table in docs/settings.md.
  */
 
 #include <pcl/registration/kss/settings_text.h>
@@ -326,7 +326,7 @@ boundsIn(const Row&)
   return "";
 }
 
-/** The README's table of settings. */
+/** The table of settings in docs/settings.md. */
 std::string
 markdown()
 {
@@ -352,18 +352,18 @@ markdown()
   return text.str();
 }
 
-TEST(README, HasTheTable)
+TEST(SettingsPage, HasTheTable)
 {
-  std::ostringstream readme;
-  readme << std::ifstream(PCL_KSS_ICP_README).rdbuf();
+  std::ostringstream page;
+  page << std::ifstream(PCL_KSS_ICP_SETTINGS_PAGE).rdbuf();
   const std::string begin = "<!-- settings: test_settings prints them -->\n\n",
                     end = "\n<!-- end of settings -->\n";
-  const auto from = readme.str().find(begin), to = readme.str().find(end);
+  const auto from = page.str().find(begin), to = page.str().find(end);
   ASSERT_NE(std::string::npos, from);
   ASSERT_NE(std::string::npos, to);
   const std::string table =
-      readme.str().substr(from + begin.size(), to - from - begin.size());
-  EXPECT_TRUE(markdown() == table) << "README.md should have this table:\n\n"
+      page.str().substr(from + begin.size(), to - from - begin.size());
+  EXPECT_TRUE(markdown() == table) << "docs/settings.md should have this table:\n\n"
                                    << markdown();
 }
 

@@ -134,6 +134,23 @@ TEST(SurfaceStep, DoesNotMoveAlongWhatIsNotDetermined)
             3);
 }
 
+/** However many points there are: they share the errors of a rounded pose. */
+TEST(SurfaceStep, IsAtRestWhereItMovesByNoMoreThanRounding)
+{
+  SurfaceStepSettings settings;
+  settings.rounding_error = 1e-6;
+  const auto moved = [&](double distance, Eigen::Index size) {
+    Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
+    pose(0, 3) = distance;
+    return surfaceStep(ellipsoidPairs(uneven, pose, size), settings)
+        .squared_errors_moved;
+  };
+  for (const Eigen::Index size : {500, 20000}) {
+    EXPECT_LT(moved(1e-7, size), 0.01) << size;
+    EXPECT_GT(moved(1e-5, size), 1.0) << size;
+  }
+}
+
 TEST(SurfaceStep, FindsNothingInFewPairsOrInNormalsThatSayNothing)
 {
   const Eigen::Matrix4d pose = similarity(small_turn, 1.0, {0.02, -0.03, 0.01});

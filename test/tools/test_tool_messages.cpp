@@ -9,10 +9,16 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <pty.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace {
 
@@ -71,6 +77,11 @@ const Cases wrong_values{
     {"source.xyz target.xyz --device nonesuch", "--device nonesuch"},
     {"source.xyz target.xyz --device ''", "--device"},
     {"source.xyz target.xyz --threads 2000", "--threads 2000"},
+    {"source.xyz target.xyz --iterations 0", "use a whole number, 1 to 1000000"},
+    {"source.xyz target.xyz --iterations=-5", "--iterations -5"},
+    {"source.xyz target.xyz --iterations many", "--iterations many"},
+    {"source.xyz target.xyz --picture ''", "--picture"},
+    {"--list-devices --device nonesuch", "nonesuch"},
     {"source.xyz target.xyz --samples 1", "--samples 1"}};
 
 const Cases wrong_files{
@@ -137,7 +148,11 @@ TEST_F(ToolRun, ShowsHelpVersionAndDevices)
   std::string help;
   for (std::string word; words >> word;)
     help += word + ' ';
-  for (const char* option : {"--transform",
+  for (const char* option : {"--picture",
+                             "--view",
+                             "--guess",
+                             "--iterations",
+                             "--transform",
                              "--report",
                              "--mode",
                              "--scale-range",
@@ -172,6 +187,93 @@ TEST_F(ToolRun, ShowsHelpVersionAndDevices)
                              "1 to 100000 rotations; default 1728"})
     EXPECT_NE(std::string::npos, help.find(option)) << option;
   EXPECT_EQ(0u, run("--version").output.find("pcl_kss_icp "));
+  std::istringstream lines(run("--help").output);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LT(line.size(), 80u) << line;
+    EXPECT_TRUE(line.empty() || line.back() != ' ') << line;
+  }
+}
+
+TEST_F(ToolRun, MarksTheDeviceThatRuns)
+{
+  const std::string on_host = run("--list-devices --device host").output;
+  EXPECT_NE(std::string::npos, on_host.find("\n* host\n")) << on_host;
+  ASSERT_EQ(0, run("source.xyz target.xyz --points 300 --report r.json").status);
+  const std::string report = content("r.json");
+  std::istringstream lines(run("--list-devices").output);
+  int marked = 0;
+  for (std::string line; std::getline(lines, line);)
+    if (line.compare(0, 2, "* ") == 0 && line.find("--device") == std::string::npos) {
+      ++marked;
+      EXPECT_NE(std::string::npos, report.find(line.substr(2))) << line;
+    }
+  EXPECT_GE(marked, 1);
+}
+
+TEST_F(ToolRun, SaysWhyItShowsNoWindow)
+{
+  const std::string displays[] = {"DISPLAY", "WAYLAND_DISPLAY"};
+  for (const std::string& display : displays)
+    unsetenv(display.c_str());
+  const auto before = files();
+  const Outcome result = run("source.xyz target.xyz --view --report r.json");
+  EXPECT_EQ(2, result.status);
+  EXPECT_EQ(0u, result.errors.find("pcl_kss_icp: --view: there is no "))
+      << result.errors;
+  EXPECT_EQ(before, files());
+}
+
+/** What the tool writes to a terminal of so many columns. */
+std::string
+onTerminal(const std::string& tool,
+           std::vector<std::string> words,
+           unsigned short columns)
+{
+  int terminal = -1;
+  winsize size{};
+  size.ws_row = 24;
+  size.ws_col = columns;
+  const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
+  if (child == 0) {
+    words.insert(words.begin(), tool);
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+      arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    execv(tool.c_str(), arguments.data());
+    _exit(127);
+  }
+  std::string output;
+  char bytes[4096];
+  for (ssize_t size; (size = read(terminal, bytes, sizeof bytes)) > 0;)
+    output.append(bytes, static_cast<std::size_t>(size));
+  close(terminal);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << output;
+  return output;
+}
+
+TEST_F(ToolRun, ShowsProgressAsWideAsTheTerminalAndWipesItOut)
+{
+  for (const unsigned short columns : {40, 80}) {
+    const std::string shown =
+        onTerminal(toolPath(),
+                   {"--device", "host", "--points", "300", path("source.xyz"),
+                    path("target.xyz"), "--transform", path("t.txt")},
+                   columns);
+    // up to the summary
+    std::istringstream lines(shown.substr(0, shown.find("Transformation")));
+    std::set<std::string> of_final_icp;
+    std::string last;
+    for (std::string line; std::getline(lines, line, '\r'); last = line) {
+      EXPECT_LT(line.size(), columns) << line;
+      if (line.find("final ICP") == 0)
+        of_final_icp.insert(line);
+    }
+    EXPECT_GE(of_final_icp.size(), 3u) << shown; // it moves
+    EXPECT_EQ(std::string::npos, last.find_first_not_of(' ')) << last;
+  }
 }
 
 } // namespace

@@ -74,6 +74,31 @@ expectAlternatives(const nlohmann::json& report)
   }
 }
 
+/** What was registered, by which program, and how. */
+void
+expectInputsAndSettings(const nlohmann::json& report)
+{
+  EXPECT_NE("", report.at("version").get<std::string>());
+  const auto& source = report.at("inputs").at("source");
+  EXPECT_EQ("source.xyz", source.at("file"));
+  EXPECT_EQ(blob_points, source.at("points"));
+  EXPECT_EQ(0, source.at("faces"));
+  EXPECT_EQ("target.xyz", report.at("inputs").at("target").at("file"));
+  EXPECT_EQ("unit of target", report.at("units").at("lengths"));
+  // in the words and units of the command line
+  const auto& settings = report.at("settings");
+  EXPECT_EQ("auto", settings.at("mode"));
+  EXPECT_EQ(true, settings.at("estimate_scale"));
+  EXPECT_TRUE(settings.at("largest_scale").is_null());
+  EXPECT_EQ(300, settings.at("sample_points"));
+  EXPECT_EQ(30.0, settings.at("angle_step"));
+  EXPECT_EQ(0.5, settings.at("minimum_confidence"));
+  EXPECT_EQ("host", settings.at("device"));
+  EXPECT_EQ(10000, settings.at("samples"));
+  EXPECT_EQ(300, settings.at("iterations"));
+  EXPECT_TRUE(settings.at("guess").is_null());
+}
+
 /** The stages took some time, and no more than the whole. */
 void
 expectSeconds(const nlohmann::json& report)
@@ -155,6 +180,27 @@ TEST_F(ToolRun, RegistersAcrossScaleAndWorld)
   EXPECT_EQ("host", report.at("device"));
   expectAlternatives(report);
   expectSeconds(report);
+  expectInputsAndSettings(report);
+}
+
+TEST_F(ToolRun, SaysHowSureItIsAndWhatMayBeRigid)
+{
+  const auto hint = "say --rigid";
+  const auto sources = {std::pair{1.012, true}, std::pair{2.5, false}};
+  for (const auto& [scale, has_hint] : sources) {
+    write("scaled.xyz", moved(blob(), similarity(scale)));
+    const Outcome result = search("source.xyz scaled.xyz");
+    ASSERT_EQ(0, result.status) << result.errors;
+    EXPECT_EQ(has_hint, result.output.find(hint) != std::string::npos)
+        << scale << ' ' << result.output;
+    EXPECT_NE(std::string::npos,
+              result.output.find("% (of a hundred results as sure, "));
+  }
+  // it is given, or 1 is not among those asked for
+  write("scaled.xyz", moved(blob(), similarity(1.012)));
+  for (const std::string options : {"--rigid", "--scale-range 1.005 2"})
+    EXPECT_EQ(std::string::npos,
+              search(options + " source.xyz scaled.xyz").output.find(hint));
 }
 
 TEST_F(ToolRun, KeepsTheScaleAndAllDigitsIfRigid)
@@ -272,6 +318,26 @@ TEST_F(ToolRun, SaysWhyItIsNotRegistered)
   EXPECT_EQ(false, report.at("ambiguous"));
   EXPECT_EQ(0u, report.at("alternatives").size());
   EXPECT_TRUE(report.at("seconds").contains("total"));
+}
+
+TEST_F(ToolRun, SaysWhatToTryWhereItIsRefused)
+{
+  const std::string files = "--confidence 1 source.xyz target.xyz";
+  const Outcome result = search(files);
+  EXPECT_EQ(1, result.status);
+  for (const char* advice :
+       {"--rigid", "--mode overlap", "--guess", "--picture", "100 %"})
+    EXPECT_NE(std::string::npos, result.errors.find(advice)) << result.errors;
+  // not what is said already
+  write("identity.txt", "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n");
+  const Outcome other = search(files + " --rigid --mode global --guess identity.txt");
+  EXPECT_EQ(1, other.status);
+  for (const char* advice : {"--rigid", "--mode", "--guess"})
+    EXPECT_EQ(std::string::npos, other.errors.find(advice)) << other.errors;
+  // the reason is said, the advice is not
+  const Outcome quiet = search(files + " --quiet");
+  EXPECT_EQ(0u, quiet.errors.find("pcl_kss_icp: not registered: "));
+  EXPECT_EQ(1, std::count(quiet.errors.begin(), quiet.errors.end(), '\n'));
 }
 
 TEST_F(ToolRun, ReplacesOutputsAsAWhole)

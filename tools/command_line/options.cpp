@@ -6,6 +6,7 @@
 
 #include "option_values.h"
 #include "setting_options.h"
+#include "wrapped.h"
 
 #include <boost/program_options.hpp>
 
@@ -20,27 +21,63 @@ namespace po = boost::program_options;
 constexpr setting::Bounds<unsigned int> samples_bounds{20, 1000000000, {"points"}};
 constexpr setting::Bounds<unsigned int> iterations_bounds{1, 1000000, {"iterations"}};
 
-/** Options as words; valueOf() converts them, whose messages say more. */
-po::options_description
-visibleOptions()
+/** Options, and what they are for. */
+struct Group {
+  std::string caption;
+  po::options_description options = {};
+};
+
+/** All options, as words; valueOf() converts them, whose messages say more. */
+std::vector<Group>
+groupsOfOptions()
 {
-  po::options_description options("Options");
   const auto word = [](const char* name) {
     return po::value<std::string>()->value_name(name);
   };
+  po::options_description files, settings, others;
   // clang-format off
-  options.add_options()
-    ("guess", word("FILE"), "a transformation that may be right, as written")
+  files.add_options()
     ("transform", word("FILE"), "write the transformation: 4x4 numbers, row by row")
-    ("report", word("FILE"), "write all results as JSON, also if not registered")
+    ("report", word("FILE"), "write all results as JSON, also if not registered; "
+     "docs/report.md lists them")
+    ("picture", word("FILE"), "draw both clouds before and after, the distances, and "
+     "what else fits, as PNG, also if not registered")
+    ("guess", word("FILE"), "read a transformation that may be right, as --transform "
+     "writes it: it competes with those that are found, and of poses that fit equally "
+     "well the nearest to it is taken");
+  settings.add_options()
     ("samples", word("N"), "points that stand for a mesh (default 10000)")
-    ("iterations", word("N"), "iterations of the final ICP at most (default 300)")
-    ("list-devices", "list the OpenCL devices")
+    ("iterations", word("N"), "iterations of the final ICP at most (default 300)");
+  others.add_options()
+    ("view", "show the clouds and the poses in a window, also if not registered")
+    ("list-devices", "list the OpenCL devices, and mark those that would be used")
     ("quiet", "no output but files and errors")
     ("version", "show the version")
-    ("help,h", "show this help");
+    ("help,h", "show this help (-h)");
   // clang-format on
-  return options.add(settingOptions());
+  const po::options_description usual = settingOptions(Users::EVERYBODY);
+  for (const auto& option : usual.options())
+    settings.add(option);
+  return {{"Files", files},
+          {"Settings", settings},
+          {"Settings for experts", settingOptions(Users::EXPERTS)},
+          {"Others", others}};
+}
+
+/** How wide --help is at most, and where it says what options are. */
+constexpr std::size_t HELP_WIDTH = 79, HELP_COLUMN = 26;
+
+/** An option with what it is, in lines. */
+std::string
+helpOn(const po::option_description& option)
+{
+  std::string name = "  --" + option.long_name();
+  const std::string parameter = option.format_parameter();
+  if (!parameter.empty())
+    name += ' ' + parameter;
+  name += name.size() + 2 > HELP_COLUMN ? "\n" + std::string(HELP_COLUMN, ' ')
+                                        : std::string(HELP_COLUMN - name.size(), ' ');
+  return name + wrapped(option.description(), HELP_WIDTH, HELP_COLUMN) + '\n';
 }
 
 /** The file that an option names; empty if it was not given. */
@@ -77,7 +114,9 @@ wordsOf(int argc, const char* const* argv)
 Options
 parseOptions(int argc, const char* const* argv)
 {
-  po::options_description all = visibleOptions();
+  po::options_description all;
+  for (const auto& group : groupsOfOptions())
+    all.add(group.options);
   all.add_options()("file", po::value<std::vector<std::string>>());
   po::positional_options_description positional;
   positional.add("file", -1);
@@ -99,7 +138,11 @@ parseOptions(int argc, const char* const* argv)
     options.action = Options::Action::SHOW_VERSION;
   else if (values.count("list-devices"))
     options.action = Options::Action::LIST_DEVICES;
-  if (options.action != Options::Action::REGISTER)
+  if (options.action == Options::Action::SHOW_HELP ||
+      options.action == Options::Action::SHOW_VERSION)
+    return options;
+  options.settings = settingsOf(values);
+  if (options.action == Options::Action::LIST_DEVICES)
     return options;
 
   std::vector<std::string> files;
@@ -118,6 +161,8 @@ parseOptions(int argc, const char* const* argv)
   options.guess = fileName(values, "guess");
   options.transform = fileName(values, "transform");
   options.report = fileName(values, "report");
+  options.picture = fileName(values, "picture");
+  options.view = values.count("view") > 0;
   ifGiven(values, "samples", [&](const auto& value) {
     options.samples = valueOf(samples_bounds, "samples", value);
   });
@@ -125,7 +170,6 @@ parseOptions(int argc, const char* const* argv)
     options.iterations = valueOf(iterations_bounds, "iterations", value);
   });
   options.quiet = values.count("quiet") > 0;
-  options.settings = settingsOf(values);
   return options;
 }
 
@@ -139,23 +183,32 @@ helpText()
          "Finds the rotation, translation and scale that place the point cloud SOURCE\n"
          "upon TARGET, wherever they lie, and writes the placed SOURCE to ALIGNED.\n"
          "\n"
-         "Files are PCD, PLY, OBJ, STL, OFF or columns of text (.xyz, .txt, .pts).\n"
+         "Files are PCD, PLY, OBJ, STL, OFF, PTX or columns of text (.xyz, .txt, "
+         ".csv,\n"
+         ".asc, .pts), known by their content, else by their ending.\n"
          "Meshes are registered by points spread over their faces. ALIGNED keeps the\n"
-         "fields and faces of SOURCE that its format can hold.\n"
+         "fields and faces of SOURCE; a warning names what its format cannot hold.\n"
          "\n"
-      << visibleOptions()
+         "Examples:\n"
+         "  pcl_kss_icp scan.ply model.stl scan_on_model.ply --picture picture.png\n"
+         "  pcl_kss_icp left.pcd right.pcd --rigid --transform left_to_right.txt\n";
+  for (const auto& group : groupsOfOptions()) {
+    text << '\n' << group.caption << ":\n";
+    for (const auto& option : group.options.options())
+      text << helpOn(*option);
+  }
+  text
       << "\n"
          "Exit status:\n"
-         "  0    registered\n"
-         "  1    not registered: the clouds do not fit, or determine no pose, or the\n"
-         "       time limit has passed; only the report is written\n"
-         "  2    the command line or a file is wrong, a device failed, or memory ran "
-         "out\n"
+         "  0      registered\n"
+         "  1      not registered: the clouds do not fit, or determine no pose, or "
+         "the\n"
+         "         time limit has passed; only the report and the picture are written\n"
+         "  2      the command line or a file is wrong, a device failed, or memory "
+         "ran\n"
+         "         out\n"
          "  128+N  ended by signal N (130 by SIGINT, 143 by SIGTERM, 129 by SIGHUP);\n"
-         "       no file is written\n"
-         "\n"
-         "Example:\n"
-         "  pcl_kss_icp scan.ply model.stl scan_on_model.ply --report report.json\n";
+         "         no file is written\n";
   return text.str();
 }
 

@@ -21,15 +21,17 @@ struct Options {
   /** \brief The file of a transformation to begin with; empty: none. */
   std::string guess;
   /** \brief The files to be written; empty: none. */
-  std::string aligned, transform, report;
+  std::string aligned, transform, report, picture;
+  /** \brief Whether to show the result in a window. */
+  bool view = false;
   /** \brief How many points stand for a mesh. */
   std::size_t samples = 10000;
   /** \brief No messages but errors. */
   bool quiet = false;
   /** \brief How to register. */
   pcl::kss::Settings settings;
-  /** \brief Iterations of the final ICP at most; 0: as many as the library allows. */
-  int iterations = 0;
+  /** \brief Iterations of the final ICP at most. */
+  int iterations = 300;
 };
 
 /** \brief Read the command line.

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
+#include "device_list.h"
 #include "io/mesh_sampling.h"
 #include "io/read_geometry.h"
 #include "options.h"
@@ -11,9 +12,14 @@
 #include "report.h"
 #include "signals.h"
 #include "transformation_file.h"
+#include "viewer.h"
+#include "words.h"
+#include "wrapped.h"
 
 #include <pcl/console/print.h>
 #include <pcl/registration/kss/devices.h>
+
+#include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -60,6 +66,9 @@ Geometry
 read(const std::string& path, bool quiet)
 {
   Geometry geometry = readGeometry(path);
+  if (!quiet)
+    for (const auto& assumption : geometry.assumed)
+      complain("warning: " + path + ": " + assumption);
   if (!quiet && hasSinglePrecision(geometry) &&
       singlePrecisionIsCoarse(boundingBox(geometry)))
     complain("warning: " + path +
@@ -105,43 +114,64 @@ warnOfFarPoints(std::size_t number, const std::string& path)
              " far away from all others; the search went without");
 }
 
+/** Say what of the source the aligned file does not hold. */
+void
+warnOfLosses(const std::vector<std::string>& losses, const Options& options)
+{
+  if (!losses.empty())
+    complain("warning: " + options.aligned + ": does not hold all of " +
+             options.source + "; lost are " + boost::algorithm::join(losses, ", "));
+}
+
+/** Tell people the result, and what it means. */
+void
+say(const Result& result,
+    const std::vector<std::string>& losses,
+    const Options& options)
+{
+  if (!result.converged) {
+    complain("not registered: " + result.reason);
+    const std::string advice = whatToTry(result, options);
+    if (!options.quiet && !advice.empty())
+      std::cerr << wrapped(advice, 79, 0) << '\n';
+  }
+  else if (!options.quiet) {
+    warnOfFarPoints(result.far_points.source, options.source);
+    warnOfFarPoints(result.far_points.target, options.target);
+    warnOfLosses(losses, options);
+    std::cout << summaryText(result, options) << std::flush;
+  }
+}
+
 int
 registerFiles(const Options& options)
 {
+  if (options.view)
+    checkViewer();
   Outputs outputs(options);
   checkDevice(options.settings.device);
   Geometry source = read(options.source, options.quiet);
   const Geometry target = read(options.target, options.quiet);
   outputs.checkFormat(source);
+  const auto losses = outputs.lossesOf(source);
   std::optional<Eigen::Matrix4d> guess;
   if (!options.guess.empty())
     guess = readTransformation(options.guess);
 
   const Result result = registerWithProgress(source, target, guess, options);
 
-  outputs.write(result, std::move(source));
-  if (!options.quiet && result.converged) {
-    warnOfFarPoints(result.far_points.source, options.source);
-    warnOfFarPoints(result.far_points.target, options.target);
-  }
-  if (!result.converged) {
-    complain("not registered: " + result.reason);
-    // a broken driver says nothing about the clouds
-    const bool is_broken = result.cause == pcl::kss::FailureCause::DEVICE ||
-                           result.cause == pcl::kss::FailureCause::OTHER;
-    return is_broken ? FAILED : NOT_REGISTERED;
-  }
-  if (!options.quiet)
-    std::cout << summaryText(result);
-  return SUCCESS;
-}
-
-int
-listDevices()
-{
-  for (const auto& name : pcl::kss::openCLDeviceNames())
-    std::cout << name << '\n';
-  return SUCCESS;
+  const std::string report =
+      options.view ? reportText(result, options, source, target) : "";
+  outputs.write(result, std::move(source), target);
+  say(result, losses, options);
+  if (options.view)
+    showInWindow(options, report);
+  if (result.converged)
+    return SUCCESS;
+  // a broken driver says nothing about the clouds
+  const bool is_broken = result.cause == pcl::kss::FailureCause::DEVICE ||
+                         result.cause == pcl::kss::FailureCause::OTHER;
+  return is_broken ? FAILED : NOT_REGISTERED;
 }
 
 int
@@ -155,7 +185,8 @@ run(const Options& options)
     std::cout << "pcl_kss_icp " PCL_KSS_ICP_VERSION "\n";
     return SUCCESS;
   case Options::Action::LIST_DEVICES:
-    return listDevices();
+    std::cout << deviceList(options.settings);
+    return SUCCESS;
   case Options::Action::REGISTER:
     return registerFiles(options);
   }

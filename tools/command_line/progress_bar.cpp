@@ -8,9 +8,23 @@
 #include <cmath>
 #include <iostream>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace tool {
+namespace {
+
+/** The columns of the terminal as it is now: it may be resized at any time. */
+std::size_t
+columns()
+{
+  constexpr std::size_t USUAL = 80;
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col
+                                                                         : USUAL;
+}
+
+} // namespace
 
 bool
 ProgressBar::hasAudience()
@@ -20,23 +34,45 @@ ProgressBar::hasAudience()
 
 ProgressBar::~ProgressBar()
 {
-  if (!shown_.empty())
-    std::cerr << '\r' << std::string(shown_.size(), ' ') << '\r' << std::flush;
+  write("");
 }
 
 void
 ProgressBar::show(const std::string& stage, double done)
 {
-  constexpr std::size_t WIDTH = 30, NAME = 16;
-  const auto filled =
-      static_cast<std::size_t>(std::lround(WIDTH * std::min(std::max(done, 0.0), 1.0)));
-  std::string line = stage.substr(0, NAME);
-  line.resize(NAME, ' ');
-  line += '[' + std::string(filled, '=') + std::string(WIDTH - filled, ' ') + ']';
+  write(progressLine(stage, done, columns()));
+}
+
+void
+ProgressBar::write(const std::string& line)
+{
   if (line == shown_)
     return; // many calls do not move it
+  // what was longer is wiped out, but for what a narrower terminal has wrapped
+  const std::size_t rest = std::min(shown_.size(), columns() - 1);
+  const std::size_t blanks = rest > line.size() ? rest - line.size() : 0;
+  std::cerr << '\r' << line << std::string(blanks, ' ')
+            << (blanks > 0 ? '\r' + line : "") << std::flush;
   shown_ = line;
-  std::cerr << '\r' << shown_ << std::flush;
+}
+
+std::string
+progressLine(const std::string& stage, double done, std::size_t columns)
+{
+  constexpr std::size_t NAME = 18, PERCENT = 6, FRAME = 2, LONGEST = 100;
+  const double share = std::min(std::max(done, 0.0), 1.0);
+  // a terminal wraps a line that fills it
+  const std::size_t width = std::min(std::max<std::size_t>(columns, 2) - 1, LONGEST);
+  std::string percent = std::to_string(std::lround(100.0 * share)) + " %";
+  percent.insert(0, PERCENT - std::min(PERCENT, percent.size()), ' ');
+  std::string line = stage;
+  line.resize(NAME, ' ');
+  if (width > NAME + PERCENT + FRAME) {
+    const std::size_t bar = width - NAME - PERCENT - FRAME;
+    const auto filled = static_cast<std::size_t>(std::lround(bar * share));
+    line += '[' + std::string(filled, '=') + std::string(bar - filled, ' ') + ']';
+  }
+  return (line + percent).substr(0, width);
 }
 
 } // namespace tool

@@ -4,12 +4,13 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace tool {
 
-/** \brief A line on standard error that shows how far a stage of the work has come, and
- * goes away in the end.
+/** \brief A line on standard error that shows how far a stage of the work has come, as
+ * wide as the terminal, and goes away in the end.
  */
 class ProgressBar {
 public:
@@ -24,7 +25,15 @@ public:
   show(const std::string& stage, double done);
 
 private:
+  /** \brief Replace the line. */
+  void
+  write(const std::string& line);
+
   std::string shown_;
 };
+
+/** \brief What it shows: shorter than the terminal is wide. */
+std::string
+progressLine(const std::string& stage, double done, std::size_t columns);
 
 } // namespace tool

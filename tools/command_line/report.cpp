@@ -4,6 +4,10 @@
 
 #include "report.h"
 
+#include "io/fields.h"
+#include "words.h"
+#include "wrapped.h"
+
 #include <pcl/registration/kss/result.h>
 #include <pcl/registration/kss/settings_text.h>
 
@@ -16,13 +20,6 @@
 
 namespace tool {
 namespace {
-
-/** A share in words: "42 %". */
-std::string
-percent(double share)
-{
-  return std::to_string(std::lround(100.0 * share)) + " %";
-}
 
 /** A matrix as its rows. */
 nlohmann::json
@@ -101,6 +98,64 @@ toJSON(const pcl::kss::Evidence& evidence)
           {"reach", evidence.reach},           {"size", evidence.size}};
 }
 
+/** \name The value of a setting as the command line has it. */
+/** \{ */
+nlohmann::ordered_json
+valueOf(const pcl::kss::setting::Flag&, bool value)
+{
+  return value;
+}
+
+template <typename Value>
+nlohmann::ordered_json
+valueOf(const pcl::kss::setting::Number<Value>& row, Value value)
+{
+  const double size = row.typed.unit.size;
+  return size == 1.0 ? nlohmann::ordered_json(value)
+                     : nlohmann::ordered_json(std::stod(valueText(
+                           row, value, pcl::kss::setting::For::COMMAND_LINE)));
+}
+
+template <typename Row, typename Value>
+nlohmann::ordered_json
+valueOf(const Row& row, const Value& value)
+{
+  return valueText(row, value, pcl::kss::setting::For::COMMAND_LINE);
+}
+/** \} */
+
+nlohmann::ordered_json
+toJSON(const Options& options)
+{
+  nlohmann::ordered_json settings;
+  pcl::kss::setting::forEach([&](const auto& row) {
+    settings[row.name] = valueOf(row, options.settings.*row.member);
+  });
+  settings["samples"] = options.samples;
+  settings["iterations"] = options.iterations;
+  settings["guess"] = nullptr;
+  if (!options.guess.empty())
+    settings["guess"] = options.guess;
+  return settings;
+}
+
+nlohmann::ordered_json
+toJSON(const std::string& file, const Geometry& geometry)
+{
+  return {{"file", file},
+          {"points", numberOfPoints(geometry.cloud)},
+          {"faces", geometry.faces.size()}};
+}
+
+/** A line with what it is about, and more lines as far as it is long. */
+std::string
+lineOn(const std::string& what, const std::string& text)
+{
+  constexpr std::size_t WIDTH = 79, INDENT = 11;
+  return what + std::string(INDENT - what.size(), ' ') + wrapped(text, WIDTH, INDENT) +
+         '\n';
+}
+
 } // namespace
 
 std::string
@@ -115,10 +170,18 @@ transformationText(const Eigen::Matrix4d& transformation)
 }
 
 std::string
-reportText(const Result& result)
+reportText(const Result& result,
+           const Options& options,
+           const Geometry& source,
+           const Geometry& target)
 {
   nlohmann::ordered_json report;
   // JSON has no infinity or NaN: the library writes null for them.
+  report["version"] = PCL_KSS_ICP_VERSION;
+  report["inputs"] = {{"source", toJSON(options.source, source)},
+                      {"target", toJSON(options.target, target)}};
+  report["units"] = {
+      {"lengths", "unit of target"}, {"angles", "radians"}, {"times", "seconds"}};
   report["converged"] = result.converged;
   if (!result.converged)
     report["reason"] = result.reason;
@@ -154,6 +217,7 @@ reportText(const Result& result)
                                       {"score", pose.overlap.score},
                                       {"evidence", toJSON(pose.evidence)}});
   report["far_points"] = {result.far_points.source, result.far_points.target};
+  report["settings"] = toJSON(options);
   report["search"] = wordOf<&pcl::kss::Settings::search>(result.search);
   report["device"] = result.device;
   for (const auto& stage : result.stages)
@@ -164,19 +228,28 @@ reportText(const Result& result)
 }
 
 std::string
-summaryText(const Result& result)
+summaryText(const Result& result, const Options& options)
 {
   const Pose& pose = result.poses.front();
-  std::ostringstream text;
-  text << std::setprecision(4) << "Transformation of SOURCE onto TARGET:\n"
-       << table(pose.transformation) << "Scale:    " << result.scale
-       << "\nOverlap:  " << percent(pose.overlap.source) << " of SOURCE, "
-       << percent(pose.overlap.target) << " of TARGET (" << inWords(result.mode) << ")"
-       << "\nSure:     " << percent(result.confidence)
-       << (result.ambiguous ? ", but another pose is about as good (see --report)" : "")
-       << "\nTime:     " << result.seconds << " s on " << result.device << ", search "
-       << wordOf<&pcl::kss::Settings::search>(result.search) << '\n';
-  return text.str();
+  std::ostringstream scale, time;
+  scale << std::setprecision(4) << result.scale;
+  const std::string hint = scaleHint(result, options.settings);
+  if (!hint.empty())
+    scale << ": " << hint;
+  time << std::setprecision(4) << result.seconds << " s on " << result.device
+       << ", search " << wordOf<&pcl::kss::Settings::search>(result.search);
+  std::string text =
+      "Transformation of SOURCE onto TARGET:\n" + table(pose.transformation) +
+      lineOn("Scale:", scale.str()) +
+      lineOn("Overlap:", percent(pose.overlap.source) + " of SOURCE, " +
+                             percent(pose.overlap.target) + " of TARGET (" +
+                             inWords(result.mode) + ")") +
+      lineOn("Sure:", sureText(result.confidence));
+  if (result.ambiguous)
+    text += lineOn("Ambiguous:", ambiguityText(result) +
+                                     ". --picture FILE shows them, --report FILE lists "
+                                     "them");
+  return text + lineOn("Time:", time.str());
 }
 
 } // namespace tool

@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include "io/geometry.h"
+#include "options.h"
 #include "registration.h"
 
 #include <string>
@@ -15,14 +17,19 @@ namespace tool {
 std::string
 transformationText(const Eigen::Matrix4d& transformation);
 
-/** \brief All results as JSON; numbers that there are none of are null. */
+/** \brief What was registered, how, and all results, as JSON; numbers that there are
+ * none of are null. docs/report.md lists what is in it.
+ */
 std::string
-reportText(const Result& result);
+reportText(const Result& result,
+           const Options& options,
+           const Geometry& source,
+           const Geometry& target);
 
 /** \brief The results in a few lines for people.
  * \pre result.converged
  */
 std::string
-summaryText(const Result& result);
+summaryText(const Result& result, const Options& options);
 
 } // namespace tool

@@ -135,15 +135,18 @@ readScaleRange(const po::variables_map& values, Settings& settings)
 } // namespace
 
 po::options_description
-settingOptions()
+settingOptions(Users users)
 {
-  po::options_description options("Settings");
-  options.add_options()(
-      "paper",
-      "the paper's own settings: all pairs of points, Hausdorff distances, the "
-      "grid of angles, no cleaning; --mode global unless given");
+  po::options_description options;
+  if (users == Users::EXPERTS)
+    options.add_options()(
+        "paper",
+        "the paper's own settings: all pairs of points, Hausdorff distances, the "
+        "grid of angles, no cleaning; --mode global unless given");
   setting::forEach([&](const auto& row) {
     const std::string name = row.option.name;
+    if ((*row.setter != 0) != (users == Users::EVERYBODY))
+      return;
     if (!setsTwo(name))
       add(options, row);
     else if (!options.find_nothrow(name, false))

@@ -11,9 +11,13 @@
 
 namespace tool {
 
-/** \brief The options that set the settings, as the table of settings has them. */
+/** \brief Who needs a setting. */
+enum class Users { EVERYBODY, EXPERTS };
+
+/** \brief The options that set the settings, as the table of settings has them: those
+ * with a setter of their own are everybody's. */
 boost::program_options::options_description
-settingOptions();
+settingOptions(Users users);
 
 /** \brief The settings that options ask for.
  * \throws UsageError naming the option that is wrong

@@ -21,9 +21,12 @@ std::array<std::atomic<const char*>, 8> paths{};
 enum State { RUNNING, HELD, ENDING };
 std::atomic<int> state{RUNNING};
 std::atomic<int> pending{0};
+/** Whether standard error is one. */
+std::atomic<bool> is_terminal{false};
 
 // A handler may use nothing that locks.
 static_assert(std::atomic<int>::is_always_lock_free &&
+              std::atomic<bool>::is_always_lock_free &&
               std::atomic<const char*>::is_always_lock_free);
 
 void
@@ -43,6 +46,8 @@ endIfRunning(int signal)
   for (const auto& path : paths)
     if (const char* name = path.load())
       unlink(name);
+  if (is_terminal)
+    say("\r\033[K"); // what shows progress
   say(signal == SIGINT    ? "pcl_kss_icp: ended by SIGINT\n"
       : signal == SIGTERM ? "pcl_kss_icp: ended by SIGTERM\n"
                           : "pcl_kss_icp: ended by SIGHUP\n");
@@ -63,6 +68,7 @@ handle(int signal)
 void
 endCleanlyOnSignals()
 {
+  is_terminal = isatty(STDERR_FILENO) == 1;
   struct sigaction action = {};
   action.sa_handler = handle;
   action.sa_flags = SA_RESTART;

@@ -78,7 +78,7 @@ using ProgressCallback = std::function<void(const std::string& stage, double don
 /** \brief Everything that KSSICP can be told beyond what it inherits.
  *
  * What each of them means, its unit and its bounds are written down once, in the table
- * of settings_table.h; README.md shows it.
+ * of settings_table.h; docs/settings.md shows it.
  */
 struct Settings {
   /** \brief See its row of the table. */

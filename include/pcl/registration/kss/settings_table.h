@@ -16,8 +16,8 @@ namespace pcl {
 namespace kss {
 
 /** \brief The table of settings: what setters, setSettings(), the options of the
- * command line tool and README.md know of them. Their defaults are those of struct
- * Settings.
+ * command line tool and docs/settings.md know of them. Their defaults are those of
+ * struct Settings.
  */
 namespace setting {
 

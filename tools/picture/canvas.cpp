@@ -1,0 +1,191 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "canvas.h"
+
+#include <cmath>
+#include <cstring>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+
+namespace tool {
+namespace {
+
+/** The text with a question mark for what is no UTF-8, and for control characters:
+ * names of files may hold anything, and cairo draws nothing more after such a text. */
+std::string
+legible(const std::string& text)
+{
+  std::string legible;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto at = [&](std::size_t place) {
+      return place < text.size() ? static_cast<unsigned char>(text[place]) : 0u;
+    };
+    const unsigned int lead = at(i);
+    const std::size_t length = lead < 0x80                   ? 1
+                               : lead >= 0xc2 && lead < 0xe0 ? 2
+                               : lead >= 0xe0 && lead < 0xf0 ? 3
+                               : lead >= 0xf0 && lead < 0xf5 ? 4
+                                                             : 0;
+    std::uint32_t code = length < 2 ? lead : lead & (0x7fu >> length);
+    bool is_valid = length > 0 && lead >= 0x20 && lead != 0x7f;
+    for (std::size_t byte = 1; byte < length; ++byte) {
+      is_valid = is_valid && (at(i + byte) & 0xc0) == 0x80;
+      code = code << 6 | (at(i + byte) & 0x3f);
+    }
+    // longer than need be, halves of pairs, or beyond the last character
+    is_valid = is_valid && !(length == 3 && code < 0x800) &&
+               !(length == 4 && (code < 0x10000 || code > 0x10ffff)) &&
+               !(code >= 0xd800 && code < 0xe000);
+    legible += is_valid ? text.substr(i, length) : "?";
+    i += is_valid ? length : 1;
+  }
+  return legible;
+}
+
+} // namespace
+
+Canvas::Canvas(int width, int height)
+: surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height))
+, context_(cairo_create(surface_.get()))
+{
+  if (cairo_status(context_.get()) != CAIRO_STATUS_SUCCESS)
+    throw std::bad_alloc();
+  cairo_font_options_t* const options = cairo_font_options_create();
+  cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_SLIGHT);
+  cairo_set_font_options(context_.get(), options);
+  cairo_font_options_destroy(options);
+  box(0, 0, width, height, {1.0, 1.0, 1.0});
+}
+
+double
+Canvas::widthOf(const std::string& text, const TextStyle& style)
+{
+  setStyle(style);
+  cairo_text_extents_t extents;
+  cairo_text_extents(context_.get(), legible(text).c_str(), &extents);
+  return extents.x_advance;
+}
+
+std::vector<std::string>
+Canvas::wrapped(const std::string& text, const TextStyle& style, double width)
+{
+  std::istringstream words(text);
+  std::vector<std::string> lines;
+  for (std::string word; words >> word;)
+    if (!lines.empty() && widthOf(lines.back() + ' ' + word, style) <= width)
+      lines.back() += ' ' + word;
+    else
+      lines.push_back(word);
+  return lines;
+}
+
+void
+Canvas::write(double x, double y, const std::string& text, const TextStyle& style)
+{
+  setStyle(style);
+  setColour(style.colour);
+  cairo_move_to(context_.get(), std::round(x), std::round(y));
+  cairo_show_text(context_.get(), legible(text).c_str());
+}
+
+void
+Canvas::writeCentred(double x,
+                     double y,
+                     const std::string& text,
+                     const TextStyle& style)
+{
+  write(x - 0.5 * widthOf(text, style), y, text, style);
+}
+
+void
+Canvas::line(
+    double x0, double y0, double x1, double y1, const Colour& colour, double width)
+{
+  setColour(colour);
+  cairo_set_line_width(context_.get(), width);
+  // a line of one pixel fills it where it runs in its middle
+  const auto crisp = [](double at) { return std::floor(at) + 0.5; };
+  cairo_move_to(context_.get(), crisp(x0), crisp(y0));
+  cairo_line_to(context_.get(), crisp(x1), crisp(y1));
+  cairo_stroke(context_.get());
+}
+
+void
+Canvas::box(double x, double y, double width, double height, const Colour& colour)
+{
+  setColour(colour);
+  cairo_rectangle(context_.get(), x, y, width, height);
+  cairo_fill(context_.get());
+}
+
+void
+Canvas::outline(double x, double y, double width, double height, const Colour& colour)
+{
+  line(x, y, x + width, y, colour);
+  line(x, y + height, x + width, y + height, colour);
+  line(x, y, x, y + height, colour);
+  line(x + width, y, x + width, y + height, colour);
+}
+
+void
+Canvas::disk(double x, double y, double radius, const Colour& colour)
+{
+  setColour(colour);
+  cairo_arc(context_.get(), x, y, radius, 0.0, 2.0 * M_PI);
+  cairo_fill(context_.get());
+}
+
+void
+Canvas::image(double x, double y, const Image& image)
+{
+  const std::unique_ptr<cairo_surface_t, Destroy> surface(
+      cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
+  unsigned char* const data = cairo_image_surface_get_data(surface.get());
+  if (!data)
+    throw std::bad_alloc();
+  const int stride = cairo_image_surface_get_stride(surface.get());
+  for (int row = 0; row < image.height; ++row)
+    std::memcpy(data + static_cast<std::ptrdiff_t>(row) * stride,
+                &image.pixels[static_cast<std::size_t>(row) * image.width],
+                sizeof(std::uint32_t) * image.width);
+  cairo_surface_mark_dirty(surface.get());
+  cairo_set_source_surface(context_.get(), surface.get(), std::round(x), std::round(y));
+  cairo_paint(context_.get());
+}
+
+void
+Canvas::writePNG(std::ostream& stream)
+{
+  const auto write = [](void* to, const unsigned char* data, unsigned int size) {
+    auto& stream = *static_cast<std::ostream*>(to);
+    stream.write(reinterpret_cast<const char*>(data), size);
+    return stream ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+  };
+  cairo_status_t status = cairo_status(context_.get());
+  if (status == CAIRO_STATUS_SUCCESS)
+    status = cairo_surface_write_to_png_stream(surface_.get(), write, &stream);
+  if (status != CAIRO_STATUS_SUCCESS && status != CAIRO_STATUS_WRITE_ERROR)
+    throw std::runtime_error(std::string("the picture cannot be drawn: ") +
+                             cairo_status_to_string(status));
+}
+
+void
+Canvas::setStyle(const TextStyle& style)
+{
+  cairo_select_font_face(context_.get(), "sans", CAIRO_FONT_SLANT_NORMAL,
+                         style.is_bold ? CAIRO_FONT_WEIGHT_BOLD
+                                       : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(context_.get(), style.size);
+}
+
+void
+Canvas::setColour(const Colour& colour)
+{
+  cairo_set_source_rgb(context_.get(), colour.red, colour.green, colour.blue);
+}
+
+} // namespace tool
