@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Registers two clouds in Python.
 
-    examples/05_python.py [SOURCE.npy TARGET.npy]      otherwise clouds of its own
+    examples/08_python.py [SOURCE.npy TARGET.npy]      otherwise clouds of its own
 
 The package is installed by `pip install .`; see docs/python.md.
 """
