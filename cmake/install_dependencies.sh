@@ -10,7 +10,10 @@ packages=(
   pkg-config libcairo2-dev fonts-dejavu-core
   libgtest-dev libbenchmark-dev clang libclang-rt-dev
   python3-matplotlib python3-numpy
-  clang-format-14 doxygen)
+  python3-dev python3-pip python3-venv python3-pytest
+  clang-format-14 doxygen
+  pkg-config help2man man-db
+  dpkg-dev file lintian)
 
 missing=()
 for package in "${packages[@]}"; do

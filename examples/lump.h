@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/conversions.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_cloud.h>
 
@@ -11,6 +13,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <random>
 #include <string>
@@ -84,16 +87,31 @@ misplacement(const Eigen::Affine3f& pose, const Eigen::Affine3f& truth)
  * neighbouring points. */
 constexpr double tolerance = 3.0;
 
-/** Read a PCD file, or end the program. */
+/** Read a PCD file, or end the program. PCL's points are of floats and take no others:
+ * doubles, as a file may have them, become floats where they stand.
+ */
 template <typename PointT>
 typename pcl::PointCloud<PointT>::Ptr
-load(const std::string& file)
+load(const std::string& name)
 {
-  typename pcl::PointCloud<PointT>::Ptr cloud(new pcl::PointCloud<PointT>);
-  if (pcl::io::loadPCDFile(file, *cloud) < 0) {
-    std::cerr << "cannot read " << file << '\n';
+  pcl::PCLPointCloud2 file;
+  if (pcl::io::loadPCDFile(name, file) < 0) {
+    std::cerr << "cannot read " << name << '\n';
     std::exit(2);
   }
+  for (pcl::PCLPointField& field : file.fields) {
+    if (field.datatype != pcl::PCLPointField::FLOAT64)
+      continue;
+    field.datatype = pcl::PCLPointField::FLOAT32;
+    for (std::size_t at = field.offset; at < file.data.size(); at += file.point_step) {
+      double value;
+      std::memcpy(&value, &file.data[at], sizeof value);
+      const float rounded = static_cast<float>(value);
+      std::memcpy(&file.data[at], &rounded, sizeof rounded);
+    }
+  }
+  typename pcl::PointCloud<PointT>::Ptr cloud(new pcl::PointCloud<PointT>);
+  pcl::fromPCLPointCloud2(file, *cloud);
   return cloud;
 }
 

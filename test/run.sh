@@ -7,6 +7,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+# the Python package has the same objects: compiled once
+export CCACHE_BASEDIR=${CCACHE_BASEDIR-$PWD} CCACHE_NOHASHDIR=1
+
 cmake/install_dependencies.sh
 if [ "${1:-}" = --preset ]; then
   preset=${2:?name a preset: release, debug, sanitize, tsan or fuzz}

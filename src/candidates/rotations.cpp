@@ -5,6 +5,7 @@
 #include "candidates/rotations.h"
 
 #include "candidates/rotation_cells.h"
+#include "geometry/turns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +18,19 @@ namespace {
  * for each rotation. */
 constexpr std::size_t most_kept = 1 << 20;
 
-/** The radius of the ball that a kernel is, on SO(3) of so many rotations. It has the
- * volume 8 pi^2 in radians cubed: a step is the edge of a cube of it. */
+/** The step of so many rotations on SO(3). It has the volume 8 pi^2 in radians cubed: a
+ * step is the edge of a cube of it. */
+double
+stepOf(std::size_t rotations)
+{
+  return std::cbrt(8.0 * M_PI * M_PI / rotations);
+}
+
+/** The radius of the ball that a kernel is, on SO(3) of so many rotations. */
 double
 radiusOf(unsigned int kernel, std::size_t rotations)
 {
-  const double step = std::cbrt(8.0 * M_PI * M_PI / rotations);
-  return std::min(M_PI, 0.5 * (kernel - 1.0) * step);
+  return std::min(M_PI, 0.5 * (kernel - 1.0) * stepOf(rotations));
 }
 
 /** Steps that fill the circle, of about an angle. */
@@ -124,6 +131,32 @@ EvenRotations::findNeighbours(std::size_t index, unsigned int kernel) const
   return found;
 }
 
+UprightRotations::UprightRotations(const Eigen::Vector3d& axis,
+                                   int steps,
+                                   int steps_of_kernel)
+: steps_(steps)
+, steps_of_kernel_(steps_of_kernel)
+{
+  for (int i = 0; i < steps; ++i)
+    rotations_.emplace_back(Eigen::AngleAxisd(2.0 * M_PI * i / steps, axis));
+}
+
+std::vector<std::size_t>
+UprightRotations::findNeighbours(std::size_t index, unsigned int kernel) const
+{
+  const int i = static_cast<int>(index);
+  // to either side; once round at most
+  const int reach =
+      static_cast<int>(std::min<double>(kernel / 2 * double(steps_of_kernel_), steps_));
+  std::vector<std::size_t> found;
+  for (int other = 0; other < steps_; ++other) {
+    const int apart = std::abs(other - i);
+    if (other != i && std::min(apart, steps_ - apart) <= reach)
+      found.push_back(other);
+  }
+  return found;
+}
+
 std::size_t
 numberOfRotations(const Settings& settings)
 {
@@ -141,6 +174,14 @@ numberOfRotations(const Settings& settings)
 std::unique_ptr<CandidateRotations>
 candidateRotations(const Settings& settings)
 {
+  if (settings.rotation_axis != RotationAxis::ANY) {
+    const double step = settings.rotation_set == RotationSet::EULER
+                            ? settings.angle_step
+                            : stepOf(settings.even_rotations);
+    // they cost little: twice as close
+    return std::make_unique<UprightRotations>(turnsOf(settings.rotation_axis).col(0),
+                                              2 * stepsOfCircle(step), 2);
+  }
   switch (settings.rotation_set) {
   case RotationSet::EULER:
     return std::make_unique<EulerRotations>(settings.angle_step);

@@ -90,7 +90,27 @@ private:
   std::shared_ptr<const RotationCells> cells_;
 };
 
-/** \brief How many rotations the set that the settings ask for has. */
+/** \brief Rotations about one axis, all round. */
+class UprightRotations : public CandidateRotations {
+public:
+  /** \param[in] axis unit vector
+   * \param[in] steps how many rotations; at least 1
+   * \param[in] steps_of_kernel how many of them a step of the kernel is
+   */
+  UprightRotations(const Eigen::Vector3d& axis, int steps, int steps_of_kernel);
+
+protected:
+  std::vector<std::size_t>
+  findNeighbours(std::size_t index, unsigned int kernel) const override;
+
+private:
+  int steps_, steps_of_kernel_;
+};
+
+/** \brief How many rotations the set that the settings ask for has where they may be
+ * about any axis: as far as its rotations lie apart, rotations about one axis do at
+ * most.
+ */
 std::size_t
 numberOfRotations(const Settings& settings);
 

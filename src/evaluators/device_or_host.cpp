@@ -4,9 +4,10 @@
 
 #include "evaluators/device_or_host.h"
 
-#include <pcl/console/print.h>
+#include "support/warn.h"
 
 #include <atomic>
+#include <string>
 
 #include <unistd.h>
 
@@ -18,8 +19,8 @@ warnOfHost(const DeviceError& error)
 {
   static std::atomic<pid_t> warned{0};
   if (warned.exchange(getpid()) != getpid())
-    PCL_WARN("[pcl::KSSICP] %s The search runs on the host instead, more slowly.\n",
-             error.what());
+    warn(std::string(error.what()) +
+         " The search runs on the host instead, more slowly.");
 }
 
 } // namespace kss

@@ -34,7 +34,7 @@ larger(float a, float b)
 /** The two nearest of what it is given. */
 struct Found : NearestTwo {
   void
-  take(index_t index, float at)
+  take(std::int32_t index, float at)
   {
     if (at < squared) {
       second_squared = squared;
@@ -53,7 +53,7 @@ struct Found : NearestTwo {
 
 PackedPoints::PackedPoints(const float* first, std::size_t stride, std::size_t size)
 {
-  const std::vector<index_t> order = alongSpace(first, stride, size);
+  const std::vector<std::int32_t> order = alongSpace(first, stride, size);
   leaves_.resize((order.size() + leaf_size - 1) / leaf_size);
   std::vector<Box> boxes(leaves_.size());
   for (std::size_t i = 0; i < leaves_.size() * leaf_size; ++i) {

@@ -29,7 +29,7 @@ public:
    * infinity follow, whose index is -1. */
   struct Leaf {
     float x[leaf_size], y[leaf_size], z[leaf_size];
-    index_t indices[leaf_size];
+    std::int32_t indices[leaf_size];
   };
 
   /** \brief See PackedTree. */

@@ -91,7 +91,7 @@ sortByKeys(std::vector<std::uint64_t>& words)
 
 } // namespace
 
-std::vector<index_t>
+std::vector<std::int32_t>
 alongSpace(const float* first, std::size_t stride, std::size_t size)
 {
   const auto pointAt = [=](std::size_t i) {
@@ -125,10 +125,10 @@ alongSpace(const float* first, std::size_t stride, std::size_t size)
   }
   throwIfStopped();
   sortByKeys(words);
-  std::vector<index_t> order;
+  std::vector<std::int32_t> order;
   order.reserve(words.size());
   for (const std::uint64_t word : words)
-    order.push_back(static_cast<index_t>(word & 0xffffffff));
+    order.push_back(static_cast<std::int32_t>(word & 0xffffffff));
   return order;
 }
 

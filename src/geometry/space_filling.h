@@ -4,9 +4,8 @@
 
 #pragma once
 
-#include <pcl/types.h>
-
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl {
@@ -21,7 +20,7 @@ namespace kss {
  * \return their indices; those of points in one cell, a thousandth of the cloud wide,
  * rise
  */
-std::vector<index_t>
+std::vector<std::int32_t>
 alongSpace(const float* first, std::size_t stride, std::size_t size);
 
 } // namespace kss

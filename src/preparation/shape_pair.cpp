@@ -117,7 +117,8 @@ shapePair(const PreparedPair& clouds,
   });
   return std::make_shared<ShapePair>(
       ShapePair{std::move(shapes[0]), std::move(shapes[1]), PoseMetric(source.points),
-                scalesBetween(source, target, settings), clouds.is_noisy});
+                scalesBetween(source, target, settings), settings.rotation_axis,
+                clouds.is_noisy});
 }
 
 } // namespace kss

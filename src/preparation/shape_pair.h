@@ -40,6 +40,8 @@ struct ShapePair {
   PoseMetric metric;
   /** \brief What the scale of a pose between the two is bound to. */
   ScaleRange scales;
+  /** \brief What its rotation is about. */
+  RotationAxis axis;
   /** \brief Whether heavy noise has been averaged away, which leaves shallow minima
    * beside the right one. */
   bool is_noisy;

@@ -138,7 +138,7 @@ PlanePulls::add(const Rows& placed,
 }
 
 Similarity
-PlanePulls::moved(const Similarity& pose) const
+PlanePulls::moved(const Similarity& pose, const Turns& turns) const
 {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -158,7 +158,12 @@ PlanePulls::moved(const Similarity& pose) const
   const Vector6 gradient =
       (1.0 - epsilon) * Eigen::Map<const Vector6>(along_ + gradient_along) +
       epsilon * Eigen::Map<const Vector6>(towards_ + gradient_towards);
-  const Vector6 motion = -matrix.ldlt().solve(gradient);
+  Eigen::MatrixXd free = Eigen::MatrixXd::Zero(unknowns, turns.cols() + 3);
+  free.topLeftCorner(3, turns.cols()) = turns;
+  free.bottomRightCorner<3, 3>().setIdentity();
+  const Eigen::VectorXd solution =
+      (free.transpose() * matrix * free).ldlt().solve(free.transpose() * gradient);
+  const Vector6 motion = -(free * solution);
   if (!motion.allFinite())
     return pose;
   Similarity moved = pose;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "geometry/similarity.h"
+#include "geometry/turns.h"
 
 #include <Eigen/Core>
 
@@ -46,9 +47,11 @@ public:
       const Rows& normals,
       const Eigen::RowVectorXf& weights);
 
-  /** \brief A pose moved as they ask for; as it is where they say nothing. */
+  /** \brief A pose moved as they ask for; as it is where they say nothing.
+   * \param[in] turns the axes that it may be turned about
+   */
   Similarity
-  moved(const Similarity& pose) const;
+  moved(const Similarity& pose, const Turns& turns) const;
 
 private:
   /** What a correspondence pulls along its plane: as little as lets one part in a

@@ -5,6 +5,7 @@
 #include <pcl/registration/kss/alignment.h>
 #include <pcl/registration/kss/detail/similarity.h>
 
+#include "geometry/turns.h"
 #include "preparation/shape_pair.h"
 #include "refinement/overlap.h"
 #include "surfaces/evidence.h"
@@ -90,9 +91,9 @@ PoseScorer::skinBeside(const Eigen::Matrix4d& transformation) const
 {
   if (shapes_->is_noisy)
     return {};
-  const std::optional<Similarity> pose =
-      kss::skinBeside(shapes_->source.surface, shapes_->target.surface,
-                      poseOf(transformation, *shapes_), shapes_->scales);
+  const std::optional<Similarity> pose = kss::skinBeside(
+      shapes_->source.surface, shapes_->target.surface,
+      poseOf(transformation, *shapes_), shapes_->scales, turnsOf(shapes_->axis));
   if (!pose)
     return {};
   return StoredPose((shapes_->target.simplified.T_cloud_shape() * *pose *

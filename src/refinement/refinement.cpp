@@ -5,12 +5,12 @@
 #include "refinement/refinement.h"
 
 #include "geometry/pre_shape.h"
+#include "geometry/turns.h"
 #include "refinement/plane_pulls.h"
 #include "support/rounded_up.h"
 #include "support/wide_vectors.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -105,20 +105,14 @@ public:
   }
 
   /** The similarity of this scale that brings the source points closest to their
-   * counterparts: (e7) and (e8), with a determinant that cannot become a mirror's. */
+   * counterparts: (e7) and (e8). */
   Similarity
-  similarity(double scale) const
+  similarity(double scale, RotationAxis axis) const
   {
     using Product = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
     const Eigen::Matrix3d covariance = Eigen::Map<const Product>(sums_ + PRODUCT) -
                                        target() * source().transpose() / sums_[WEIGHT];
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU |
-                                                                Eigen::ComputeFullV);
-    const Eigen::Matrix3d& u = svd.matrixU();
-    const Eigen::Matrix3d& v = svd.matrixV();
-    const Eigen::Vector3d signs(1.0, 1.0,
-                                (u * v.transpose()).determinant() < 0 ? -1 : 1);
-    const Eigen::Matrix3d rotation = u * signs.asDiagonal() * v.transpose();
+    const Eigen::Matrix3d rotation = nearestRotation(covariance, axis);
     return {scale, rotation,
             (target() - scale * (rotation * source())) / sums_[WEIGHT]};
   }
@@ -239,7 +233,8 @@ pulledToPlanes(const Similarity& pose,
                const Counterparts& forth,
                const Pairs& from_target,
                const Counterparts& back,
-               double reach)
+               double reach,
+               RotationAxis axis)
 {
   PlanePulls pulls;
   const Eigen::Affine3f placement = pose.affine();
@@ -254,7 +249,7 @@ pulledToPlanes(const Similarity& pose,
   };
   add(from_source, forth.normals());
   add(from_target, rotation.lazyProduct(back.normals()));
-  return pulls.moved(pose);
+  return pulls.moved(pose, turnsOf(axis));
 }
 
 /** By how much two poses differ in any number of their matrices. */
@@ -271,12 +266,14 @@ Refinement::Refinement(const Points& source_probes,
                        const Points& target_probes,
                        const SurfacePoints& source,
                        const SurfacePoints& target,
-                       const ScaleRange& scales)
+                       const ScaleRange& scales,
+                       RotationAxis axis)
 : source_probes_(source_probes)
 , target_probes_(target_probes)
 , source_(source)
 , target_(target)
 , scales_(scales)
+, axis_(axis)
 {
 }
 
@@ -306,8 +303,8 @@ Refinement::refine(const Similarity& initial, const Effort& effort) const
     // planes pull about the middle of the pairs, which the scale leaves where it is
     const Similarity next =
         effort.on_planes ? pulledToPlanes(pairs.scaled(pose, estimate), from_source,
-                                          forth, from_target, back, reach)
-                         : pairs.similarity(estimate);
+                                          forth, from_target, back, reach, axis_)
+                         : pairs.similarity(estimate, axis_);
     if (!next.isUsable())
       break;
     const bool settled = iteration > falling && largestChange(pose, next) < 1e-5;

@@ -9,6 +9,7 @@
 #include "geometry/nearest_points.h"
 #include "geometry/scale_range.h"
 #include "geometry/similarity.h"
+#include "geometry/turns.h"
 
 #include <Eigen/Core>
 
@@ -61,12 +62,14 @@ public:
    * \param[in] source all points of the source, kept by reference
    * \param[in] target all points of the target, kept by reference
    * \param[in] scales what the scale is bound to; one value leaves it as it is
+   * \param[in] axis what rotations are about
    */
   Refinement(const Points& source_probes,
              const Points& target_probes,
              const SurfacePoints& source,
              const SurfacePoints& target,
-             const ScaleRange& scales);
+             const ScaleRange& scales,
+             RotationAxis axis = RotationAxis::ANY);
 
   /** \brief Refine a pose; safe to call from several threads at once. */
   Similarity
@@ -78,6 +81,7 @@ private:
   const SurfacePoints& source_;
   const SurfacePoints& target_;
   ScaleRange scales_;
+  RotationAxis axis_;
 };
 
 } // namespace kss

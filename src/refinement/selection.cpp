@@ -7,6 +7,7 @@
 #include <pcl/registration/kss/detail/stopping.h>
 
 #include "geometry/take.h"
+#include "geometry/turns.h"
 #include "refinement/overlap.h"
 #include "support/parallel.h"
 #include "surfaces/evidence.h"
@@ -18,16 +19,16 @@ namespace pcl {
 namespace kss {
 namespace {
 
-/** The poses, and each turned a little about each axis. */
+/** The poses, and each turned a little about each axis that it may be turned about. */
 std::vector<Similarity>
-withTurnedOnes(std::vector<Similarity> poses)
+withTurnedOnes(std::vector<Similarity> poses, const Turns& turns)
 {
   for (std::size_t i = 0, n = poses.size(); i < n; ++i)
-    for (int axis = 0; axis < 3; ++axis)
+    for (Eigen::Index axis = 0; axis < turns.cols(); ++axis)
       for (const double angle : {-0.3, -0.15, 0.15, 0.3}) {
         Similarity turned = poses[i];
-        turned.rotation *=
-            Eigen::AngleAxisd(angle, Eigen::Vector3d::Unit(axis)).toRotationMatrix();
+        turned.rotation *= Eigen::AngleAxisd(angle, Eigen::Vector3d(turns.col(axis)))
+                               .toRotationMatrix();
         poses.push_back(turned);
       }
   return poses;
@@ -132,12 +133,12 @@ Selection::refined(const std::vector<Ranked>& ranked, const SelectionStep& step)
         (!step.hope || candidate.cost <= *step.hope * ranked.front().cost))
       poses.push_back(candidate.pose);
   if (step.turned)
-    poses = withTurnedOnes(poses);
+    poses = withTurnedOnes(poses, turnsOf(shapes_.axis));
 
   const Refinement refinement(
       step.on_clouds ? source_probes_ : shapes_.source.simplified.points,
       step.on_clouds ? target_probes_ : shapes_.target.simplified.points, source_,
-      target_, shapes_.scales);
+      target_, shapes_.scales, shapes_.axis);
   std::vector<Ranked> all(poses.size());
   inParallel(poses.size(), threads_, 1, [&](std::ptrdiff_t i) {
     all[i].pose = refinement.refine(poses[i], step.effort);

@@ -4,6 +4,8 @@
 
 #include "surfaces/pair_equations.h"
 
+#include "geometry/turns.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -76,6 +78,17 @@ counterparts(const SurfacePairs& pairs, const SurfaceStepSettings& settings)
 }
 
 } // namespace
+
+Eigen::MatrixXd
+freeChanges(const SurfaceStepSettings& settings, bool with_scale)
+{
+  const Turns turns = turnsOf(settings.rotation_axis);
+  const Eigen::Index others = with_scale ? 4 : 3;
+  Eigen::MatrixXd free = Eigen::MatrixXd::Zero(3 + others, turns.cols() + others);
+  free.topLeftCorner(3, turns.cols()) = turns;
+  free.bottomRightCorner(others, others).setIdentity();
+  return free;
+}
 
 PairEquations
 equationsOf(const SurfacePairs& pairs, const SurfaceStepSettings& settings)

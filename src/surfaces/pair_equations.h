@@ -18,6 +18,12 @@ using Change = Eigen::Matrix<double, 7, 1>;
 /** \brief A matrix over the entries of a \ref Change. */
 using ChangeMatrix = Eigen::Matrix<double, 7, 7>;
 
+/** \brief A basis of the changes that settings allow: a column per direction, a row for
+ * each of the first entries of a \ref Change, its last one only where the scale is
+ * estimated. */
+Eigen::MatrixXd
+freeChanges(const SurfaceStepSettings& settings, bool with_scale);
+
 /** \brief The pairs that have a say, as linear equations of a change of the pose. */
 struct PairEquations {
   /** \brief By what the distances to the planes change, a column per pair. */

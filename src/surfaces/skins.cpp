@@ -58,11 +58,13 @@ public:
   }
 
   /** The principal directions of what the points say, a column each, as long as move
-   * the points by one unit off their planes, root mean square. */
+   * the points by one unit off their planes, root mean square.
+   * \param[in] free a basis of the moves that there are */
   Eigen::MatrixXf
-  directionsAt(const Similarity& pose, int directions) const
+  directionsAt(const Similarity& pose, const Eigen::MatrixXf& free) const
   {
     const PlacedSurface placed(source_, pose);
+    const Eigen::Index directions = free.rows();
     Eigen::MatrixXf information = Eigen::MatrixXf::Zero(directions, directions);
     for (Eigen::Index n = 0; n < count_; ++n) {
       const Eigen::Index i = evenlySpaced(n, count_, size_);
@@ -70,13 +72,13 @@ public:
       information += row.head(directions) * row.head(directions).transpose();
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXf> solver(
-        information / static_cast<float>(count_));
+        free.transpose() * (information / static_cast<float>(count_)) * free);
     Eigen::MatrixXf found(directions, 0);
-    for (int i = 0; i < directions; ++i)
+    for (Eigen::Index i = 0; i < free.cols(); ++i)
       if (solver.eigenvalues()[i] > determined) {
         found.conservativeResize(Eigen::NoChange, found.cols() + 1);
         found.rightCols(1) =
-            solver.eigenvectors().col(i) / std::sqrt(solver.eigenvalues()[i]);
+            free * solver.eigenvectors().col(i) / std::sqrt(solver.eigenvalues()[i]);
       }
     return found;
   }
@@ -107,13 +109,26 @@ moved(const Similarity& pose, const PlacedSurface& placed, const Eigen::VectorXf
   return move * pose;
 }
 
+/** A basis of these moves. */
+Eigen::MatrixXf
+freeMoves(const Turns& turns, bool with_scale)
+{
+  const Eigen::Index scales = with_scale ? 1 : 0;
+  Eigen::MatrixXf free = Eigen::MatrixXf::Zero(6 + scales, 3 + turns.cols() + scales);
+  free.topLeftCorner<3, 3>().setIdentity();
+  free.block(3, 3, 3, turns.cols()) = turns.cast<float>();
+  free.bottomRightCorner(scales, scales).setIdentity();
+  return free;
+}
+
 } // namespace
 
 std::optional<Similarity>
 skinBeside(const OrientedPoints& source,
            const OrientedPoints& target,
            const Similarity& T_target_source,
-           const ScaleRange& scales)
+           const ScaleRange& scales,
+           const Turns& turns)
 {
   const Tellers tellers(source, target);
   const Tellers::Counts here = tellers.at(T_target_source);
@@ -130,8 +145,8 @@ skinBeside(const OrientedPoints& source,
   const double smallest = std::min(scales.smallest, T_target_source.scale);
   const double largest = std::max(scales.largest, T_target_source.scale);
   const PlacedSurface placed(source, T_target_source);
-  const Eigen::MatrixXf directions =
-      tellers.directionsAt(T_target_source, scales.smallest < scales.largest ? 7 : 6);
+  const Eigen::MatrixXf directions = tellers.directionsAt(
+      T_target_source, freeMoves(turns, scales.smallest < scales.largest));
   Similarity best = T_target_source;
   Eigen::Index most = here.explained;
   for (Eigen::Index d = 0; d < directions.cols(); ++d)

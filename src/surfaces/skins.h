@@ -7,6 +7,7 @@
 #include "geometry/oriented_points.h"
 #include "geometry/scale_range.h"
 #include "geometry/similarity.h"
+#include "geometry/turns.h"
 
 #include <optional>
 
@@ -23,13 +24,15 @@ namespace kss {
  * \param[in] target in the frame that the pose leads to
  * \param[in] T_target_source where ICP has come to rest
  * \param[in] scales that the pose may have
+ * \param[in] turns the axes that it may be turned about
  * \return where surfaces explain many more of the source's points; none: nowhere near
  */
 std::optional<Similarity>
 skinBeside(const OrientedPoints& source,
            const OrientedPoints& target,
            const Similarity& T_target_source,
-           const ScaleRange& scales);
+           const ScaleRange& scales,
+           const Turns& turns);
 
 } // namespace kss
 } // namespace pcl

@@ -61,26 +61,29 @@ surfacePrecision(const SurfacePairs& pairs,
   if (!equations.are_usable)
     return precision;
   const NormalEquations normal = normalEquationsAt(equations, Change::Zero(), settings);
-  const int n = settings.smallest_scale < settings.largest_scale ? 7 : 6;
+  const Eigen::MatrixXd free =
+      freeChanges(settings, settings.smallest_scale < settings.largest_scale);
+  const auto n = static_cast<int>(free.rows());
   precision.unknowns = n;
 
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-      normal.matrix.topLeftCorner(n, n));
+      free.transpose() * normal.matrix.topLeftCorner(n, n) * free);
+  const Eigen::MatrixXd directions = free * solver.eigenvectors();
   const double least = smallestDetermined(equations, normal);
   const std::vector<Change> pulls = pullsOfPatches(equations, normal);
   // patches scatter by the variance of their pairs and what these have in common
   double variance = 0.0;
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
-  for (int i = 0; i < n; ++i)
+  for (Eigen::Index i = 0; i < directions.cols(); ++i)
     if (solver.eigenvalues()[i] >= least)
       for (const Change& pull : pulls)
-        variance += std::pow(solver.eigenvectors().col(i).dot(pull.head(n)), 2) /
-                    solver.eigenvalues()[i];
+        variance +=
+            std::pow(directions.col(i).dot(pull.head(n)), 2) / solver.eigenvalues()[i];
     else
       ++precision.undetermined;
   const auto count = static_cast<double>(pulls.size());
-  variance *=
-      count / std::max(count - 1.0, 1.0) / std::max(n - precision.undetermined, 1);
+  variance *= count / std::max(count - 1.0, 1.0) /
+              std::max(static_cast<int>(free.cols()) - precision.undetermined, 1);
   variance = std::max(variance, normal.variance);
   // matches and weights follow the pose and take back a part of what the equations
   // promise: the error is larger by as much as steps fall short
@@ -89,8 +92,8 @@ surfacePrecision(const SurfacePairs& pairs,
   const double slope = std::max(normal.slopes / normal.weights, least_slope);
   const double kept = std::sqrt(slope) * (1.0 - settings.contraction);
   variance /= kept * kept;
-  for (int i = 0; i < n; ++i) {
-    const Eigen::VectorXd direction = solver.eigenvectors().col(i);
+  for (Eigen::Index i = 0; i < directions.cols(); ++i) {
+    const Eigen::VectorXd direction = directions.col(i);
     const double squared = solver.eigenvalues()[i] >= least
                                ? variance / solver.eigenvalues()[i]
                                : equations.radius * equations.radius;

@@ -20,17 +20,22 @@ namespace {
 constexpr int rounds = 2;
 
 /** The change that the equations ask for, in the directions that they determine.
- * \return how many they do not */
+ * \param[in] free a basis of the changes that there may be
+ * \return how many of its directions they do not */
 int
-solve(const NormalEquations& normal, int unknowns, double least, Change& change)
+solve(const NormalEquations& normal,
+      const Eigen::MatrixXd& free,
+      double least,
+      Change& change)
 {
+  const Eigen::Index unknowns = free.rows();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-      normal.matrix.topLeftCorner(unknowns, unknowns));
+      free.transpose() * normal.matrix.topLeftCorner(unknowns, unknowns) * free);
   int undetermined = 0;
   change.setZero();
-  for (int i = 0; i < unknowns; ++i) {
+  for (Eigen::Index i = 0; i < free.cols(); ++i) {
     const double value = solver.eigenvalues()[i];
-    const Eigen::VectorXd direction = solver.eigenvectors().col(i);
+    const Eigen::VectorXd direction = free * solver.eigenvectors().col(i);
     if (value < least)
       ++undetermined;
     else
@@ -70,6 +75,7 @@ surfaceStep(const SurfacePairs& pairs, const SurfaceStepSettings& settings)
   const double smallest = equations.radius * std::log(settings.smallest_scale);
   const double largest = equations.radius * std::log(settings.largest_scale);
   const bool estimates_scale = smallest < largest;
+  const Eigen::MatrixXd free = freeChanges(settings, estimates_scale);
   Change unknowns = Change::Zero();
   unknowns[6] = std::min(std::max(0.0, smallest), largest);
   NormalEquations normal;
@@ -77,20 +83,24 @@ surfaceStep(const SurfacePairs& pairs, const SurfaceStepSettings& settings)
     normal = normalEquationsAt(equations, unknowns, settings);
     const double least = smallestDetermined(equations, normal);
     Change change;
-    step.undetermined = solve(normal, estimates_scale ? 7 : 6, least, change);
+    step.undetermined = solve(normal, free, least, change);
     if (estimates_scale &&
         (unknowns[6] + change[6] < smallest || unknowns[6] + change[6] > largest)) {
       // at the bound, and the best that the others can do there
       const double bound = unknowns[6] + change[6] < smallest ? smallest : largest;
       const double held = bound - unknowns[6];
       normal.gradient -= held * normal.matrix.col(6);
-      step.undetermined = solve(normal, 6, least, change);
+      step.undetermined = solve(normal, freeChanges(settings, false), least, change);
       change[6] = held;
     }
     unknowns += change;
   }
-  step.squared_errors_moved = unknowns.dot(normal.matrix * unknowns) /
-                              ((estimates_scale ? 7.0 : 6.0) * normal.variance);
+  const double rounding = settings.rounding_error * settings.rounding_error;
+  // points average their own rounding out, but not that of the pose, which they share
+  const double squared_errors =
+      std::min(unknowns.dot(normal.matrix * unknowns) / normal.variance,
+               unknowns.squaredNorm() / std::max(rounding, 1e-300));
+  step.squared_errors_moved = squared_errors / static_cast<double>(free.cols());
   step.transformation = similarityOf(unknowns, equations.center, equations.radius);
   step.is_found = step.transformation.allFinite();
   return step;

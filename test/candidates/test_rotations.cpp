@@ -244,4 +244,29 @@ TEST(CandidateRotations, AreThoseTheSettingsAskFor)
   EXPECT_EQ(77u, candidateRotations(settings)->rotations().size());
 }
 
+TEST(Rotations, UprightOnesGoRoundTheAxis)
+{
+  Settings settings;
+  settings.rotation_axis = RotationAxis::Y;
+  for (const RotationSet set : {RotationSet::EVEN, RotationSet::EULER}) {
+    settings.rotation_set = set;
+    const auto upright = candidateRotations(settings);
+    const auto& rotations = upright->rotations();
+    // no farther apart than those of the whole set
+    ASSERT_GE(rotations.size(), 24u);
+    const double step = 2.0 * M_PI / static_cast<double>(rotations.size());
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+      EXPECT_TRUE((rotations[i] * Eigen::Vector3d::UnitY())
+                      .isApprox(Eigen::Vector3d::UnitY(), 1e-12));
+      const std::size_t next = (i + 1) % rotations.size();
+      EXPECT_NEAR(step, rotations[i].angularDistance(rotations[next]), 1e-9);
+    }
+    // a kernel of three steps of the whole set: two steps to either side, all round
+    const std::size_t last = rotations.size() - 1;
+    EXPECT_EQ((std::vector<std::size_t>{1, 2, last - 1, last}),
+              upright->neighbours(0, 3));
+    EXPECT_EQ(last, upright->neighbours(5, 4000000000u).size());
+  }
+}
+
 } // namespace

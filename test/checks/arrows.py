@@ -25,8 +25,9 @@ ARROWS = {
     "src/surfaces": ["src/geometry", "src/support"],
     "src/refinement": ["src/surfaces", "src/preparation", "src/geometry",
                        "src/support"],
+    "src/final": ["src/geometry", "src/support"],
     # where all of them meet
-    "src": ["src/refinement", "src/search", "src/candidates", "src/preparation",
+    "src": ["src/final", "src/refinement", "src/search", "src/candidates", "src/preparation",
             "src/geometry", "src/support"],
     # the class for PCL's points: what is installed, and nothing else
     "src/pcl": [],

@@ -7,7 +7,7 @@
 #   test/checks/format.sh --fix    lays the code out, then checks
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-folders=(benchmarks evaluation examples include kernels src test tools)
+folders=(benchmarks evaluation examples include kernels python src test tools)
 
 format=(clang-format-14 --style=file --dry-run -Werror)
 [ "${1:-}" = --fix ] && format=(clang-format-14 --style=file -i)

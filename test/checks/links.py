@@ -10,7 +10,7 @@ import re
 from report import report
 
 FOLDERS = ["benchmarks", "cmake", "docs", "evaluation", "examples", "include", "kernels",
-           "src", "test", "tools"]
+           "python", "src", "test", "tools"]
 TEXTS = {".md", ".cff", ".txt", ".h", ".hpp", ".cpp", ".cl", ".cmake", ".py", ".json"}
 
 LINK = re.compile(r"!?\[[^\]]*\]\(\s*([^()\s]+)\s*\)")

@@ -9,7 +9,7 @@ import re
 
 from report import report
 
-CODE = ["benchmarks", "cmake", "evaluation", "examples", "include", "src", "tools"]
+CODE = ["benchmarks", "cmake", "evaluation", "examples", "include", "python", "src", "tools"]
 
 
 def found(pattern, path):

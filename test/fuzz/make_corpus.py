@@ -91,6 +91,38 @@ def reader_inputs():
     yield "text", 3, text
     yield "text_title", 3, b"x y z intensity\n" + rows(POINTS, " 7").encode()
     yield "text_count", 3, b"4\n" + text.replace(b" ", b", ")
+    yield "text_names", 3, b"//X Y Z R G B Nx Ny Nz\n" + rows(
+        POINTS, " 1 2 3 0 0 1").encode()
+    yield "text_csv", 7, b'"id","x [m]","y [m]","z [m]","kind"\n' + b"".join(
+        b'%d,"%g",%g,%g,oak\n' % (i, *point) for i, point in enumerate(POINTS))
+    yield "text_german", 7, b"sep=;\nX;Y;Z\n" + (
+        text.replace(b".", b",").replace(b" ", b";"))
+    yield "text_utf16", 3, ("X\tY\tZ\r\n" + rows(POINTS)).encode("utf-16")
+    yield "text_mac", 3, text.replace(b"\n", b"\r")
+    yield "text_numbers", 3, b"1.5D+01 1.#QNAN 0.25-100\n1 2 nan\nNA 1 2\n1 2 3\n"
+    yield "pts_blocks", 6, b"2\n1 2 3 -5 9 8 7\n4 5 6 0 1 2 3\n1\n7 8 9 1 1 2 3\n"
+    scan = b"2\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n" \
+        b"0 1 0 0\n-1 0 0 0\n0 0 1 0\n10 20 30 1\n"
+    yield "ptx", 8, scan + rows(POINTS, " 0.5").encode()
+    yield "ptx_colours", 8, 2 * (scan + rows(POINTS, " 0.5 1 2 3").encode())
+    yield "off_glued", 2, ("OFF4 3 0\n" + rows(POINTS) + face_rows).encode()
+    yield "off_tokens", 2, (
+        "NOFF 4 3\n" + rows(POINTS, " 0 0 1") + face_rows).replace("\n", " ").encode()
+    yield "off_faces", 2, ("STCOFF\n4 3 0\n" + rows(POINTS, " 1 2 3 4 0 1") +
+                           face_rows.replace("\n", " 255 0 0\n")).encode()
+    yield "ply_more", 1, (
+        "ply\nformat ascii 1.0\ncomment c\nobj_info i\nelement vertex 4\n"
+        "property float X\nproperty float Y\nproperty float Z\nproperty uchar alpha\n"
+        "property list uchar uint views\nelement face 3\n"
+        "property list uint uint vertex_index\nproperty list uchar float texcoord\n"
+        "element edge 1\nproperty int vertex1\nend_header\n"
+        + rows(POINTS, " 255 2 7 8") + face_rows.replace("\n", " 2 0 1\n") + "1\n"
+    ).encode()
+    yield "pcd_short", 0, (
+        b"# of a car\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 4\nDATA ascii\n"
+        + text + b"# end\n")
+    yield "none", 9, text
+    yield "none_obj", 9, (obj + obj_faces).encode()
     yield "obj", 4, (obj + obj_faces).encode()
     yield "obj_points", 4, obj.encode()
     yield "obj_full", 4, (
@@ -98,6 +130,8 @@ def reader_inputs():
         "f -1 -2 -3\nl 1 2\np 1 2 3\n").encode()
     yield "stl_ascii", 5, ("solid s\n" + stl_facets() + "endsolid s\n").encode()
     yield "stl_binary", 5, stl_binary
+    yield "stl_tail", 5, b"solid" + stl_binary[5:] + b"tail"
+    yield "stl_upper", 5, ("SOLID S\n\n" + stl_facets() + "ENDSOLID\n").upper().encode()
 
 
 class Align:

@@ -30,10 +30,10 @@ addFar(Cloud& cloud, int number, float distance)
   }
 }
 
-UsablePoints
+UsablePoints<pcl::index_t>
 usable(const Cloud& cloud)
 {
-  return usablePoints(cloud, allIndices(cloud));
+  return usablePointsOf(cloud, allIndices(cloud));
 }
 
 TEST(ToIndex, IsInsideTheGridWhateverTheCoordinate)
@@ -58,13 +58,13 @@ TEST(ToIndex, IsInsideTheGridWhateverTheCoordinate)
 TEST(Bulk, IsWhereMostPointsAreWhateverAFewAre)
 {
   const auto cloud = cloudOf<pcl::PointXYZ>(sampled(creature(), 10000, 1));
-  const UsablePoints before = usable(*cloud);
+  const auto before = usable(*cloud);
   EXPECT_EQ(0, before.far);
   EXPECT_EQ(allIndices(*cloud), before.indices);
   for (const float distance : {1e5f, 1e7f, 1e12f, 1e20f, 1e38f}) {
     Cloud with_far = *cloud;
     addFar(with_far, 5, distance);
-    const UsablePoints after = usable(with_far);
+    const auto after = usable(with_far);
     EXPECT_EQ(5, after.far);
     EXPECT_EQ(before.indices, after.indices);
     EXPECT_LT((after.bulk.middle - before.bulk.middle).norm(), 0.1);
@@ -79,7 +79,7 @@ TEST(Bulk, CountsCopiesOnce)
   Cloud cloud = *cloudOf<pcl::PointXYZ>(sampled(creature(), 1000, 2).array() + 1e6f);
   for (int i = 0; i < 1500; ++i)
     cloud.push_back({0.0f, 0.0f, 0.0f});
-  const UsablePoints points = usable(cloud);
+  const auto points = usable(cloud);
   EXPECT_EQ(1500, points.far);
   EXPECT_EQ(1000, points.indices.size());
 }
@@ -125,7 +125,7 @@ TEST(SortInSpace, KeepsAllPointsWhateverTheExtent)
   for (const float size : {1e-40f, 1.0f, 1e30f, 3e38f}) {
     const auto cloud = cloudOf<pcl::PointXYZ>(size * scattered(500, 6));
     pcl::Indices sorted = allIndices(*cloud);
-    sortInSpace(*cloud, sorted);
+    sortInSpace(placesOf(*cloud), sorted);
     EXPECT_EQ(500, std::set<pcl::index_t>(sorted.begin(), sorted.end()).size());
   }
 }

@@ -151,7 +151,7 @@ TEST(KSSICP, IsNeverWorseThanICPFromTheGuess)
     // and its score is that of the pose
     const auto local = [](const Cloud& cloud) {
       return pcl::kss::toLocalCloud(
-          cloud, pcl::kss::usablePoints(cloud, pcl::kss::allIndices(cloud)));
+          cloud, pcl::kss::usablePointsOf(cloud, pcl::kss::allIndices(cloud)));
     };
     pcl::kss::Stages stages;
     const pcl::kss::PoseScorer scorer =

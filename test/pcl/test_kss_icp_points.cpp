@@ -7,6 +7,8 @@
 
 #include "trial.h"
 
+#include <pcl/common/transforms.h>
+
 #include <limits>
 
 namespace {
@@ -41,6 +43,12 @@ TEST(KSSICP, RespectsIndices)
   EXPECT_EQ(Trial(pair).align(), found);
   EXPECT_NEAR(meanSquaredDistance(trial.output, *pair.target, 1e30),
               trial.registration.getFitnessScore(), 1e-6);
+  // with the others, which lie far away
+  Cloud all;
+  pcl::transformPointCloud(*mixed, all, found);
+  const double score = meanSquaredDistance(all, *pair.target, 1e30);
+  EXPECT_GT(score, 1.0);
+  EXPECT_NEAR(score, trial.registration.getFitnessScore(1e30, false), 1e-5 * score);
   // correspondences name the points of the cloud that was set
   ASSERT_FALSE(trial.registration.correspondences().empty());
   for (const pcl::Correspondence& match : trial.registration.correspondences())

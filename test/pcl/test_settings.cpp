@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  *
  * The table of settings, and what follows from it: what KSSICP refuses, which settings
- * ask for the same work, and the README's table.
+ * ask for the same work, and the table in docs/settings.md.
  */
 
 #include <pcl/registration/kss/settings_text.h>
@@ -39,12 +39,12 @@ printed(const std::function<void()>& function)
 TEST(Settings, AreAllInTheTable)
 {
   // does not compile with another number of members: give a new one a row
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u,
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v,
                progress] = Settings();
-  constexpr std::size_t members = 21;
+  constexpr std::size_t members = 22;
   EXPECT_EQ(members, std::tuple_size_v<decltype(setting::table)>);
   const std::set<const void*> addresses{&a, &b, &c, &d, &e, &f, &g, &h, &i, &j, &k,
-                                        &l, &m, &n, &o, &p, &q, &r, &s, &t, &u};
+                                        &l, &m, &n, &o, &p, &q, &r, &s, &t, &u, &v};
   EXPECT_EQ(nullptr, progress);
   const Settings settings;
   std::set<std::string> names;
@@ -82,6 +82,7 @@ TEST(Settings, AskForTheSameWorkUnlessOneOfThemDiffers)
       [](Settings& s) { s.estimate_scale = false; },
       [](Settings& s) { s.smallest_scale = 0.77; },
       [](Settings& s) { s.largest_scale = 1.77; },
+      [](Settings& s) { s.rotation_axis = RotationAxis::Y; },
       [](Settings& s) { s.device = "host"; },
       [](Settings& s) { s.threads = 7; }};
   for (const auto& change : others) {
@@ -239,6 +240,8 @@ TEST(KSSICP, HasSettersThatRefuseTheSame)
   EXPECT_EQ(Mode::PARTIAL_PARTIAL, r.getFoundMode());
   r.setScaleEstimation(false);
   EXPECT_FALSE(r.getScaleEstimation());
+  r.setRotationAxis(RotationAxis::Z);
+  EXPECT_EQ(RotationAxis::Z, r.getRotationAxis());
   r.setDevice("host");
   EXPECT_EQ("host", r.getDevice());
   r.setNumberOfThreads(3);
@@ -323,7 +326,7 @@ boundsIn(const Row&)
   return "";
 }
 
-/** The README's table of settings. */
+/** The table of settings in docs/settings.md. */
 std::string
 markdown()
 {
@@ -349,18 +352,18 @@ markdown()
   return text.str();
 }
 
-TEST(README, HasTheTable)
+TEST(SettingsPage, HasTheTable)
 {
-  std::ostringstream readme;
-  readme << std::ifstream(PCL_KSS_ICP_README).rdbuf();
+  std::ostringstream page;
+  page << std::ifstream(PCL_KSS_ICP_SETTINGS_PAGE).rdbuf();
   const std::string begin = "<!-- settings: test_settings prints them -->\n\n",
                     end = "\n<!-- end of settings -->\n";
-  const auto from = readme.str().find(begin), to = readme.str().find(end);
+  const auto from = page.str().find(begin), to = page.str().find(end);
   ASSERT_NE(std::string::npos, from);
   ASSERT_NE(std::string::npos, to);
   const std::string table =
-      readme.str().substr(from + begin.size(), to - from - begin.size());
-  EXPECT_TRUE(markdown() == table) << "README.md should have this table:\n\n"
+      page.str().substr(from + begin.size(), to - from - begin.size());
+  EXPECT_TRUE(markdown() == table) << "docs/settings.md should have this table:\n\n"
                                    << markdown();
 }
 

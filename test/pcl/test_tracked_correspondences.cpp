@@ -210,8 +210,8 @@ TEST(Spread, TakesAllWhereThereAreNoMore)
   const pcl::Indices indices{5, 2, 9, 9, 1};
   for (const std::size_t most : {0u, 5u, 6u, 1000u})
     EXPECT_EQ(indices, pcl::kss::spread(indices, most));
-  EXPECT_TRUE(pcl::kss::spread({}, 0).empty());
-  EXPECT_TRUE(pcl::kss::spread({}, 10).empty());
+  EXPECT_TRUE(pcl::kss::spread(pcl::Indices(), 0).empty());
+  EXPECT_TRUE(pcl::kss::spread(pcl::Indices(), 10).empty());
 }
 
 TEST(Spread, TakesNoColumnOfAnImageAlone)

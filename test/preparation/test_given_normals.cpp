@@ -106,7 +106,7 @@ TEST(LocalNormals, AreThoseOfThePoints)
 {
   const Oriented ball = orientedEllipsoid({1.0f, 1.0f, 1.0f}, 100, 5);
   const auto localOf = [](const auto& cloud) {
-    return toLocalCloud(cloud, usablePoints(cloud, allIndices(cloud)));
+    return toLocalCloud(cloud, usablePointsOf(cloud, allIndices(cloud)));
   };
   const auto cloud = cloudOf<pcl::PointNormal>(ball.points);
   EXPECT_EQ(0, localOf(*cloud).normals.cols()); // all of them are zero

@@ -17,6 +17,7 @@ namespace {
 using namespace kss_test;
 using pcl::kss::NearestPoints;
 using pcl::kss::Refinement;
+using pcl::kss::RotationAxis;
 using pcl::kss::ScaleRange;
 using pcl::kss::Similarity;
 using pcl::kss::SurfacePoints;
@@ -160,12 +161,40 @@ TEST(PlanePulls, AskForTheMotionThatIsMissing)
       normals.col(i) = Eigen::Vector3f::Unit(i % 3);
     }
     pulls.add(placed, points, normals, weights);
-    moved = pulls.moved(moved);
+    moved = pulls.moved(moved, pcl::kss::turnsOf(RotationAxis::ANY));
   }
   EXPECT_TRUE(moved.rotation.isIdentity(1e-5));
   EXPECT_LT(moved.translation.norm(), 1e-5);
   // nothing pulls: nothing moves
-  EXPECT_EQ(moved.matrix(), pcl::kss::PlanePulls().moved(moved).matrix());
+  EXPECT_EQ(moved.matrix(), pcl::kss::PlanePulls()
+                                .moved(moved, pcl::kss::turnsOf(RotationAxis::ANY))
+                                .matrix());
+}
+
+TEST(Refinement, TurnsAboutTheAxisAlone)
+{
+  const Points target = sampled(creature(), 500, 11);
+  const Eigen::Matrix4d truth =
+      similarity(Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitZ())),
+                 1.1, {0.05, -0.02, 0.03});
+  const Points source = transformed(target, truth.inverse());
+  const SurfacePoints all_source = surfaceOf(source), all_target = surfaceOf(target);
+  const Eigen::Matrix4d tilt =
+      similarity(Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX())),
+                 1.0, {0.0, 0.0, 0.0});
+  // from points to points even a tilted pose is turned upright
+  const Refinement refinement(source, target, all_source, all_target, any_scale,
+                              RotationAxis::Z);
+  const Eigen::Matrix4d found =
+      refinement.refine(Similarity::of(tilt), thorough).matrix();
+  EXPECT_LT((found - truth).cwiseAbs().maxCoeff(), 1e-4);
+  // towards planes one that is upright stays so
+  Refinement::Effort on_planes = thorough;
+  on_planes.on_planes = true;
+  const Similarity upright =
+      refinement.refine(Similarity::of(Eigen::Matrix4d::Identity()), on_planes);
+  EXPECT_NEAR(1.0, upright.rotation(2, 2), 1e-12);
+  EXPECT_LT((upright.matrix() - truth).cwiseAbs().maxCoeff(), 1e-3);
 }
 
 TEST(Refinement, KeepsTheScaleWhereItIsKnown)

@@ -150,7 +150,8 @@ TEST(Skin, IsFoundFromBetweenTwo)
 {
   const OrientedPoints source = surfaceOf(wall(5000, 0.0f, 12, false));
   const OrientedPoints target = surfaceOf(wall(10000, 0.04f, 13, true));
-  const auto found = skinBeside(source, target, shifted(0, 0, -0.02), {1.0, 1.0});
+  const auto found = skinBeside(source, target, shifted(0, 0, -0.02), {1.0, 1.0},
+                                turnsOf(RotationAxis::ANY));
   ASSERT_TRUE(found);
   EXPECT_NEAR(0.02, std::abs(found->translation.z() + 0.02), 0.008);
 }
@@ -159,7 +160,8 @@ TEST(Skin, IsNotSoughtWhereAllIsExplained)
 {
   const OrientedPoints source = surfaceOf(sampled(creature(), 5000, 14));
   const OrientedPoints target = surfaceOf(sampled(creature(), 5000, 15));
-  EXPECT_FALSE(skinBeside(source, target, Similarity(), {0.5, 2.0}));
+  EXPECT_FALSE(
+      skinBeside(source, target, Similarity(), {0.5, 2.0}, turnsOf(RotationAxis::ANY)));
 }
 
 } // namespace

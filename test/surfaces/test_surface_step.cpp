@@ -134,6 +134,23 @@ TEST(SurfaceStep, DoesNotMoveAlongWhatIsNotDetermined)
             3);
 }
 
+/** However many points there are: they share the errors of a rounded pose. */
+TEST(SurfaceStep, IsAtRestWhereItMovesByNoMoreThanRounding)
+{
+  SurfaceStepSettings settings;
+  settings.rounding_error = 1e-6;
+  const auto moved = [&](double distance, Eigen::Index size) {
+    Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
+    pose(0, 3) = distance;
+    return surfaceStep(ellipsoidPairs(uneven, pose, size), settings)
+        .squared_errors_moved;
+  };
+  for (const Eigen::Index size : {500, 20000}) {
+    EXPECT_LT(moved(1e-7, size), 0.01) << size;
+    EXPECT_GT(moved(1e-5, size), 1.0) << size;
+  }
+}
+
 TEST(SurfaceStep, FindsNothingInFewPairsOrInNormalsThatSayNothing)
 {
   const Eigen::Matrix4d pose = similarity(small_turn, 1.0, {0.02, -0.03, 0.01});
@@ -146,6 +163,27 @@ TEST(SurfaceStep, FindsNothingInFewPairsOrInNormalsThatSayNothing)
   SurfaceStepSettings settings;
   settings.source_normal_error = 1.0;
   EXPECT_FALSE(surfaceStep(pairs, settings).is_found);
+}
+
+TEST(SurfaceStep, TurnsAboutTheAxisAlone)
+{
+  const Eigen::Matrix4d truth =
+      similarity(Eigen::Quaterniond(Eigen::AngleAxisd(0.06, Eigen::Vector3d::UnitY())),
+                 1.02, {0.01, -0.02, 0.03});
+  SurfaceStepSettings settings = withScale();
+  settings.rotation_axis = pcl::kss::RotationAxis::Y;
+  SurfacePairs pairs = ellipsoidPairs(uneven, truth, 400);
+  EXPECT_LT((settled(pairs, settings) - truth).cwiseAbs().maxCoeff(), 1e-6);
+  // what is tilted stays tilted, and nothing of it is doubtful
+  SurfacePairs tilted =
+      ellipsoidPairs(uneven, similarity(small_turn, 1.0, {0.0, 0.0, 0.0}), 400);
+  const Eigen::Matrix4d pose = settled(tilted, settings);
+  EXPECT_NEAR(1.0, pose.col(1).head<3>().normalized().y(), 1e-12);
+  const auto precision = surfacePrecision(tilted, settings, Eigen::Vector3d::Zero());
+  EXPECT_EQ(7, precision.unknowns);
+  EXPECT_EQ(0.0, precision.covariance(0, 0));
+  EXPECT_GT(precision.covariance(1, 1), 0.0);
+  EXPECT_EQ(0.0, precision.covariance(2, 2));
 }
 
 } // namespace

@@ -27,7 +27,7 @@ fitnessOf(const pcl::PointCloud<PointT>& placed,
           const pcl::search::KdTree<PointT>& tree)
 {
   pcl::Indices some = pcl::kss::spread(pcl::kss::allIndices(placed), FITNESS_POINTS);
-  pcl::kss::sortInSpace(placed, some);
+  pcl::kss::sortInSpace(pcl::kss::placesOf(placed), some);
   double sum = 0.0;
   pcl::Indices nearest(1);
   std::vector<float> squared(1);

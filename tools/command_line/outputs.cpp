@@ -4,6 +4,7 @@
 
 #include "outputs.h"
 
+#include "io/losses.h"
 #include "io/write_geometry.h"
 #include "picture_of_result.h"
 #include "report.h"
@@ -38,7 +39,7 @@ Outputs::Outputs(const Options& options)
     file = std::make_unique<OutputFile>(path);
   };
   if (!options.aligned.empty())
-    fileFormatOf(options.aligned);
+    aligned_format_ = fileFormatLike(options.aligned, options.source);
   prepare(options.aligned, aligned_);
   prepare(options.transform, transform_);
   prepare(options.report, report_);
@@ -50,10 +51,16 @@ Outputs::Outputs(const Options& options)
 void
 Outputs::checkFormat(const Geometry& source) const
 {
-  if (aligned_ && fileFormatOf(options_.aligned) == FileFormat::STL &&
-      source.faces.empty())
+  if (aligned_ && aligned_format_ == FileFormat::STL && source.faces.empty())
     throw std::runtime_error(options_.aligned + ": STL holds only triangles, and " +
                              options_.source + " has none; use .ply, .pcd or .xyz");
+}
+
+std::vector<std::string>
+Outputs::lossesOf(const Geometry& source) const
+{
+  return aligned_ ? tool::lossesOf(source, aligned_format_)
+                  : std::vector<std::string>();
 }
 
 void
@@ -71,7 +78,7 @@ Outputs::write(const Result& result, Geometry source, const Geometry& target)
   if (aligned_ && registered)
     aligned_->write([&](std::ostream& stream) {
       writeGeometry(transformed(std::move(source), result.poses.front().transformation),
-                    fileFormatOf(options_.aligned), stream);
+                    aligned_format_, stream);
     });
   if (transform_ && registered)
     transform_->write([&](std::ostream& stream) {

@@ -4,12 +4,15 @@
 
 #pragma once
 
+#include "io/file_format.h"
 #include "io/geometry.h"
 #include "options.h"
 #include "output_file.h"
 #include "registration.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace tool {
 
@@ -36,8 +39,14 @@ public:
   void
   write(const Result& result, Geometry source, const Geometry& target);
 
+  /** \brief What of the source the aligned file does not hold, in words for the user.
+   */
+  std::vector<std::string>
+  lossesOf(const Geometry& source) const;
+
 private:
   Options options_;
+  FileFormat aligned_format_ = FileFormat::PLY;
   std::unique_ptr<OutputFile> aligned_, transform_, report_, picture_;
 };
 

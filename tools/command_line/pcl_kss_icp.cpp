@@ -19,6 +19,8 @@
 #include <pcl/console/print.h>
 #include <pcl/registration/kss/devices.h>
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <iostream>
@@ -64,6 +66,9 @@ Geometry
 read(const std::string& path, bool quiet)
 {
   Geometry geometry = readGeometry(path);
+  if (!quiet)
+    for (const auto& assumption : geometry.assumed)
+      complain("warning: " + path + ": " + assumption);
   if (!quiet && hasSinglePrecision(geometry) &&
       singlePrecisionIsCoarse(boundingBox(geometry)))
     complain("warning: " + path +
@@ -109,9 +114,20 @@ warnOfFarPoints(std::size_t number, const std::string& path)
              " far away from all others; the search went without");
 }
 
+/** Say what of the source the aligned file does not hold. */
+void
+warnOfLosses(const std::vector<std::string>& losses, const Options& options)
+{
+  if (!losses.empty())
+    complain("warning: " + options.aligned + ": does not hold all of " +
+             options.source + "; lost are " + boost::algorithm::join(losses, ", "));
+}
+
 /** Tell people the result, and what it means. */
 void
-say(const Result& result, const Options& options)
+say(const Result& result,
+    const std::vector<std::string>& losses,
+    const Options& options)
 {
   if (!result.converged) {
     complain("not registered: " + result.reason);
@@ -122,6 +138,7 @@ say(const Result& result, const Options& options)
   else if (!options.quiet) {
     warnOfFarPoints(result.far_points.source, options.source);
     warnOfFarPoints(result.far_points.target, options.target);
+    warnOfLosses(losses, options);
     std::cout << summaryText(result, options) << std::flush;
   }
 }
@@ -136,6 +153,7 @@ registerFiles(const Options& options)
   Geometry source = read(options.source, options.quiet);
   const Geometry target = read(options.target, options.quiet);
   outputs.checkFormat(source);
+  const auto losses = outputs.lossesOf(source);
   std::optional<Eigen::Matrix4d> guess;
   if (!options.guess.empty())
     guess = readTransformation(options.guess);
@@ -145,7 +163,7 @@ registerFiles(const Options& options)
   const std::string report =
       options.view ? reportText(result, options, source, target) : "";
   outputs.write(result, std::move(source), target);
-  say(result, options);
+  say(result, losses, options);
   if (options.view)
     showInWindow(options, report);
   if (result.converged)

@@ -49,7 +49,9 @@ add(po::options_description& options,
     const setting::Option& option,
     const std::string& text)
 {
-  const auto value = po::value<std::string>()->value_name(option.value);
+  auto* const value = po::value<std::string>()->value_name(option.value);
+  if (option.name == std::string("upright"))
+    value->implicit_value("z"); // as most scanners have it
   options.add_options()(option.name, value, text.c_str());
 }
 

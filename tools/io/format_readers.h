@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "file_format.h"
 #include "geometry.h"
 
 #include <istream>
@@ -36,8 +37,15 @@ readOBJ(std::istream& stream);
 Geometry
 readSTL(std::istream& stream);
 
-/** \brief Read a file of columns: x, y, z and whatever follows. */
+/** \brief Read a file of columns: x, y, z and others, in the order of their names where
+ * it names them.
+ * \param[in] format one of those that consist of columns
+ */
 Geometry
-readText(std::istream& stream);
+readText(std::istream& stream, FileFormat format);
+
+/** \brief Read a PTX file: the points of all its scans in one frame. */
+Geometry
+readPTX(std::istream& stream);
 
 } // namespace tool

@@ -154,6 +154,9 @@ transformed(Geometry geometry, const Eigen::Matrix4d& similarity)
       normal.set(point, rotation * normal.get(point));
   }
 
+  for (auto& direction : geometry.statements.normals)
+    direction = rotation * direction;
+
   const Eigen::Vector3d origin = geometry.sensor_origin.head<3>().cast<double>();
   geometry.sensor_origin.head<3>() = (transform * origin).cast<float>();
   geometry.sensor_orientation = Eigen::Quaternionf(

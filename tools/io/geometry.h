@@ -10,12 +10,28 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace tool {
 
 /** \brief The positions of a cloud, whatever type they are stored in. */
 using Points = std::vector<Eigen::Vector3d>;
+
+/** \brief The statements of an OBJ file in their order, so that all of them can be
+ * written again.
+ */
+struct OBJStatements {
+  /** \brief The lines; those of points and normals are their keywords alone. */
+  std::string text;
+  Points normals;
+  /** \brief What other formats cannot hold of them, in words for the user. */
+  std::vector<std::string> others;
+};
+
+/** \brief How the numbers of a file stand in it. */
+enum class Storage { UNSAID, TEXT, BINARY, BINARY_BIG, COMPRESSED };
 
 /** \brief What a point cloud or mesh file holds. */
 struct Geometry {
@@ -29,6 +45,20 @@ struct Geometry {
   /** \brief Whether the numbers were written out in the file, so that their type is not
    * the file's but the reader's choice. */
   bool from_text = false;
+  /** \brief How the numbers stood in the file, for formats that have more than one way.
+   */
+  Storage storage = Storage::UNSAID;
+  /** \brief What marks the line that names the columns of a text as a comment, where
+   * there is such a line. */
+  std::optional<std::string> header_mark;
+  /** \brief What somebody has written about the file, line by line. */
+  std::vector<std::string> comments;
+  /** \brief The statements of an OBJ file, which it is written with again. */
+  OBJStatements statements;
+  /** \brief What the reader took for granted, in words for the user. */
+  std::vector<std::string> assumed;
+  /** \brief What else the file holds, which was not read. */
+  std::vector<std::string> left_out;
 };
 
 /** \brief The positions of all points, in their order; points that are not finite too.

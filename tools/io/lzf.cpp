@@ -4,6 +4,7 @@
 
 #include "lzf.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace tool {
@@ -48,6 +49,57 @@ decompressLZF(const std::uint8_t* from,
       *to++ = *copied++; // what is copied may be what has just been written
   }
   return to == end;
+}
+
+std::vector<std::uint8_t>
+compressLZF(const std::uint8_t* from, std::size_t size)
+{
+  constexpr std::size_t most_literals = 32, farthest = 8192, longest = 264, least = 3;
+  constexpr int hash_bits = 15;
+  // where three bytes have been last, counted from 1, by a hash of them
+  std::vector<std::size_t> last(std::size_t(1) << hash_bits);
+  std::vector<std::uint8_t> to;
+  to.reserve(size / 2);
+  std::size_t literals = 0; // bytes before here that nothing stands for yet
+  const auto flush = [&](std::size_t end) {
+    while (literals > 0) {
+      const std::size_t length = std::min(literals, most_literals);
+      to.push_back(static_cast<std::uint8_t>(length - 1));
+      to.insert(to.end(), from + (end - literals), from + (end - literals) + length);
+      literals -= length;
+    }
+  };
+  std::size_t here = 0;
+  while (here < size) {
+    std::size_t length = 0, distance = 0;
+    if (size - here >= least) {
+      const std::uint32_t key =
+          from[here] << 16 | from[here + 1] << 8 | std::uint32_t(from[here + 2]);
+      std::size_t& before = last[key * 2654435761u >> (32 - hash_bits)];
+      if (before > 0 && here + 1 - before <= farthest) {
+        distance = here + 1 - before;
+        const std::size_t most = std::min(longest, size - here);
+        while (length < most && from[here + length] == from[here + length - distance])
+          ++length;
+      }
+      before = here + 1;
+    }
+    if (length < least) {
+      ++literals;
+      ++here;
+      continue;
+    }
+    flush(here);
+    const std::size_t rest = length - 2, offset = distance - 1;
+    to.push_back(
+        static_cast<std::uint8_t>(std::min<std::size_t>(rest, 7) << 5 | offset >> 8));
+    if (rest >= 7)
+      to.push_back(static_cast<std::uint8_t>(rest - 7));
+    to.push_back(static_cast<std::uint8_t>(offset));
+    here += length;
+  }
+  flush(size);
+  return to;
 }
 
 } // namespace tool

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 /** \file
  * PCL has a function for it, in a library that brings VTK and fifty others into the
@@ -24,5 +25,11 @@ decompressLZF(const std::uint8_t* from,
               std::size_t from_size,
               std::uint8_t* to,
               std::size_t to_size);
+
+/** \brief Compress bytes with LZF, in a time that is linear in their number.
+ * \return the compressed bytes, which may be a little more where nothing repeats
+ */
+std::vector<std::uint8_t>
+compressLZF(const std::uint8_t* from, std::size_t size);
 
 } // namespace tool

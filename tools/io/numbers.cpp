@@ -4,6 +4,7 @@
 
 #include "numbers.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -30,6 +31,57 @@ isTiny(std::string_view number)
   if (exponent != std::string_view::npos)
     return exponent + 1 < number.size() && number[exponent + 1] == '-';
   return number.find_first_of("123456789.") == number.find('.');
+}
+
+/** Whether a text is how programs of an old Microsoft library write what is no number:
+ * 1.#QNAN, -1.#IND00, 1.#INF, or rounded to 1.#J. */
+bool
+isNoNumber(std::string_view text)
+{
+  const std::string_view name = text.substr(0, text.find_last_not_of('0') + 1);
+  for (const char* known : {"#QNAN", "#SNAN", "#IND", "#INF", "#QN", "#QO", "#J", "#R"})
+    if (name == known)
+      return true;
+  return false;
+}
+
+/** Read a number as Fortran and other languages write it.
+ * \param[in] parsed how much of the text std::from_chars has taken
+ */
+bool
+parseForeign(std::string_view text, std::size_t parsed, double& number)
+{
+  if (parsed == 0)
+    return false;
+  const std::string_view mantissa = text.substr(0, parsed);
+  std::string_view exponent = text.substr(parsed);
+  if (mantissa.back() == '.' && isNoNumber(exponent)) {
+    number = std::numeric_limits<double>::quiet_NaN();
+    return true;
+  }
+  const bool has_letter = std::string_view("dDqQ").find(exponent[0]) < 4;
+  if (has_letter)
+    exponent.remove_prefix(1);
+  // without a letter where the exponent has three digits: 0.25-100
+  else if (exponent.size() != 4 || mantissa.find('.') == std::string_view::npos ||
+           (exponent[0] != '+' && exponent[0] != '-'))
+    return false;
+  exponent = withoutPlus(exponent);
+  char copy[64];
+  if (exponent.empty() || mantissa.size() + 1 + exponent.size() > sizeof copy ||
+      mantissa.find_first_of("eEnN") != std::string_view::npos)
+    return false;
+  char* end = std::copy(mantissa.begin(), mantissa.end(), copy);
+  *end++ = 'e';
+  end = std::copy(exponent.begin(), exponent.end(), end);
+  const std::string_view usual(copy, static_cast<std::size_t>(end - copy));
+  const auto result = std::from_chars(copy, end, number);
+  if (result.ptr == end && result.ec == std::errc::result_out_of_range &&
+      isTiny(usual)) {
+    number = 0.0;
+    return true;
+  }
+  return result.ptr == end && result.ec == std::errc();
 }
 
 template <typename T>
@@ -71,7 +123,7 @@ parseNumber(std::string_view text, double& number)
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, number);
   if (result.ptr != end)
-    return false;
+    return parseForeign(text, result.ptr - text.data(), number);
   if (result.ec == std::errc::result_out_of_range && isTiny(text)) {
     number = 0.0;
     return true;

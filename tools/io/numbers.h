@@ -48,6 +48,8 @@ withType(std::uint8_t datatype, Function&& function)
 }
 
 /** \brief Read one number, with the point as decimal separator whatever the locale.
+ *
+ * Exponents may have Fortran's D, and what is no number may be written as 1.#QNAN.
  * \return whether the text is a number and nothing else
  */
 bool

@@ -9,6 +9,9 @@
 
 #include <pcl/common/io.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
+
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <set>
@@ -25,8 +28,10 @@ public:
     while (entries_.count("DATA") == 0) {
       if (!lines.next())
         throw std::runtime_error("is no PCD file, or the file ends within its header");
-      if (lines.text()[0] == '#')
+      if (lines.text()[0] == '#') {
+        addComment(lines.text());
         continue;
+      }
       const auto& words = lines.words();
       const std::string key(words[0] == "COLUMNS" ? "FIELDS" : words[0]);
       static const std::set<std::string> keys{
@@ -80,7 +85,18 @@ public:
     return counts;
   }
 
+  /** The lines that begin with a #, but for the one that names the format. */
+  std::vector<std::string> comments;
+
 private:
+  void
+  addComment(const std::string& line)
+  {
+    const auto start = line.find_first_not_of("# \t");
+    if (start != std::string::npos && line.compare(start, 4, ".PCD") != 0)
+      comments.push_back(line.substr(start));
+  }
+
   std::map<std::string, std::vector<std::string>> entries_;
 };
 
@@ -101,6 +117,7 @@ datatypeOf(std::uint32_t size, const std::string& type)
 PCDHeader::PCDHeader(TextLines& lines)
 {
   const Entries entries(lines);
+  comments = entries.comments;
   const auto& names = entries.words("FIELDS");
   if (names.empty())
     throw std::runtime_error("has no FIELDS in its header");
@@ -125,11 +142,21 @@ PCDHeader::PCDHeader(TextLines& lines)
       throw std::runtime_error("its points are too large, by SIZE and COUNT");
   }
 
-  width = entries.counts("WIDTH", 1)[0];
-  height = entries.counts("HEIGHT", 1)[0];
-  points = entries.counts("POINTS", 1)[0];
+  // Two of these tell the third, and most clouds have one row.
+  const auto count = [&](const char* key, std::uint64_t otherwise) -> std::uint64_t {
+    return entries.has(key) ? entries.counts(key, 1)[0] : otherwise;
+  };
+  if (!entries.has("POINTS") && !entries.has("WIDTH"))
+    throw std::runtime_error("has neither POINTS nor WIDTH in its header");
+  height = count("HEIGHT", 1);
+  if (entries.has("WIDTH") && entries.has("POINTS") && !entries.has("HEIGHT"))
+    height = count("POINTS", 0) / std::max<std::uint64_t>(count("WIDTH", 0), 1);
+  width = count("WIDTH", count("POINTS", 0) / std::max<std::uint64_t>(height, 1));
+  points = count("POINTS", width * height);
   if (points == 0)
     throw std::runtime_error("holds no points");
+  if (points > std::numeric_limits<std::int32_t>::max())
+    throw std::runtime_error("has more points than can be read");
   if (width * height != points)
     throw std::runtime_error("POINTS is not WIDTH times HEIGHT in its header");
 
@@ -145,7 +172,7 @@ PCDHeader::PCDHeader(TextLines& lines)
     sensor_orientation = Eigen::Quaternionf(view[3], view[4], view[5], view[6]);
   }
 
-  const std::string& data = entries.words("DATA", 1)[0];
+  const std::string data = boost::algorithm::to_lower_copy(entries.words("DATA", 1)[0]);
   static const std::map<std::string, Encoding> encodings{
       {"ascii", Encoding::ASCII},
       {"binary", Encoding::BINARY},

@@ -35,6 +35,8 @@ struct PCDHeader {
   Eigen::Vector4f sensor_origin = Eigen::Vector4f::Zero();
   Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
   Encoding encoding = Encoding::ASCII;
+  /** \brief What somebody has written into it. */
+  std::vector<std::string> comments;
 };
 
 } // namespace tool

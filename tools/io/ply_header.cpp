@@ -154,7 +154,11 @@ PLYHeader::PLYHeader(TextLines& lines)
       columns = countOf(lines, words[2]);
     else if (words[0] == "obj_info" && words.size() == 3 && words[1] == "num_rows")
       rows = countOf(lines, words[2]);
-    else if (words[0] != "comment" && words[0] != "obj_info")
+    else if (words[0] == "comment" && words.size() > 1)
+      comments.push_back(lines.text().substr(words[1].data() - words[0].data()));
+    else if (words[0] == "obj_info")
+      comments.push_back(lines.text());
+    else if (words[0] != "comment")
       lines.failAt(words[0], "is no keyword of a PLY header");
   }
   throw std::runtime_error("the file ends within its header");

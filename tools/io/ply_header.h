@@ -53,6 +53,10 @@ struct PLYHeader {
   std::vector<Element> elements;
   /** \brief Columns and rows of an organised cloud; 0 where the header has none. */
   std::uint64_t columns = 0, rows = 0;
+  /** \brief What somebody has written into it; what starts with obj_info is for
+   * programs.
+   */
+  std::vector<std::string> comments;
 };
 
 } // namespace tool

@@ -7,9 +7,13 @@
 #include "fields.h"
 #include "file_format.h"
 #include "format_readers.h"
+#include "text_encoding.h"
 #include "vector_field.h"
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -67,10 +71,36 @@ readAs(FileFormat format, std::istream& stream)
     return readOBJ(stream);
   case FileFormat::STL:
     return readSTL(stream);
+  case FileFormat::PTX:
+    return readPTX(stream);
   case FileFormat::TEXT:
-    return readText(stream);
+  case FileFormat::CSV:
+  case FileFormat::PTS:
+    return readText(stream, format);
   }
   throw std::logic_error("format without a reader");
+}
+
+/** Name positions and normals as PCL does, whatever the file calls them: X, or nx. */
+void
+nameVectors(pcl::PCLPointCloud2& cloud)
+{
+  const auto rename = [&](const std::array<const char*, 3>& names, const auto& others) {
+    std::array<pcl::PCLPointField*, 3> fields{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (auto& field : cloud.fields) {
+        if (field.name == names[i])
+          return;
+        const std::string name = boost::algorithm::to_lower_copy(field.name);
+        if (!fields[i] && (name == names[i] || name == others[i]))
+          fields[i] = &field;
+      }
+    if (std::count(fields.begin(), fields.end(), nullptr) == 0)
+      for (std::size_t i = 0; i < 3; ++i)
+        fields[i]->name = names[i];
+  };
+  rename(VectorField::POSITION, VectorField::POSITION);
+  rename(VectorField::NORMAL, std::array<const char*, 3>{"nx", "ny", "nz"});
 }
 
 /** What all formats can get wrong. */
@@ -115,12 +145,14 @@ check(const Geometry& geometry)
 Geometry
 readGeometry(const std::string& path)
 {
-  const FileFormat format = fileFormatOf(path);
   try {
-    std::ifstream stream = open(path);
-    Geometry geometry = readAs(format, stream);
-    if (stream.bad())
+    std::ifstream file = open(path);
+    const auto decoded = decodedUTF16(file);
+    std::istream& stream = decoded ? *decoded : file;
+    Geometry geometry = readAs(fileFormatOf(path, stream), stream);
+    if (file.bad())
       throw std::runtime_error("cannot be read to its end");
+    nameVectors(geometry.cloud);
     check(geometry);
     return geometry;
   }
@@ -128,7 +160,9 @@ readGeometry(const std::string& path)
     throw std::runtime_error(path + ": needs more memory than there is");
   }
   catch (const std::exception& problem) {
-    throw std::runtime_error(path + ": " + problem.what());
+    const std::string message = problem.what();
+    throw std::runtime_error(message.find(path + ": ") == 0 ? message
+                                                            : path + ": " + message);
   }
 }
 

@@ -10,9 +10,11 @@
 
 namespace tool {
 
-/** \brief Read a point cloud or mesh of a format known by its extension.
+/** \brief Read a point cloud or mesh of a format known by how it starts, or by its
+ * extension.
  *
- * PCD, PLY, OFF and text keep all digits; OBJ and STL come in single precision.
+ * All digits are kept. What the reader took for granted, and what it left out, is told
+ * in Geometry::assumed and Geometry::left_out.
  * \throws std::runtime_error naming the file where it cannot be read, is incomplete, or
  * has no finite points
  */

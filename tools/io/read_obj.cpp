@@ -64,19 +64,10 @@ public:
     while (lines_.next()) {
       while (lines_.text().back() == '\\')
         lines_.join();
-      const auto& words = lines_.words();
-      const std::string_view keyword = words.empty() ? "" : words[0];
-      if (keyword == "v")
-        addPoint();
-      else if (keyword == "vn")
-        normals_.push_back(toVector(numbers({3})));
-      else if (keyword == "f")
-        addFace();
-      else if (!keyword.empty() && !isOtherStatement(keyword))
-        lines_.failAt(keyword, "is no keyword of OBJ");
+      readStatement();
     }
     // points alone have their normals in the same order
-    if (faces_.empty() && normals_.size() == points_.size())
+    if (faces_.empty() && statements_.normals.size() == points_.size())
       for (std::size_t i = 0; i < points_.size(); ++i)
         points_[i].normal = i;
     checkFaces();
@@ -109,16 +100,57 @@ public:
       std::uint8_t* to = &cloud.data[i * cloud.point_step];
       position.set(to, points_[i].position);
       if (points_[i].normal != NONE)
-        normal.set(to, normals_[points_[i].normal]);
+        normal.set(to, statements_.normals[points_[i].normal]);
       // white where only others have a colour
       const std::uint32_t packed = points_[i].colour != 0 ? points_[i].colour : -1;
       if (colour)
         std::memcpy(to + colour->offset, &packed, sizeof packed);
     }
+    geometry.statements = std::move(statements_);
     return geometry;
   }
 
 private:
+  void
+  readStatement()
+  {
+    const auto& words = lines_.words();
+    const std::string_view keyword = words.empty() ? "" : words[0];
+    if (keyword == "v" || keyword == "vn")
+      statements_.text.append(keyword) += '\n';
+    else if (!keyword.empty())
+      statements_.text.append(lines_.text()) += '\n';
+    if (keyword == "v")
+      addPoint();
+    else if (keyword == "vn")
+      statements_.normals.push_back(toVector(numbers({3})));
+    else if (keyword == "f" || keyword == "fo")
+      addFace();
+    else if (isOtherStatement(keyword))
+      addOther(std::string(keyword));
+    else if (!keyword.empty())
+      lines_.failAt(keyword, "is no keyword of OBJ");
+  }
+
+  /** Remember what other formats cannot hold. */
+  void
+  addOther(const std::string& keyword)
+  {
+    static const std::map<std::string, std::string> names{{"vt", "texture coordinates"},
+                                                          {"usemtl", "materials"},
+                                                          {"mtllib", "materials"},
+                                                          {"g", "groups"},
+                                                          {"o", "objects"},
+                                                          {"s", "smoothing groups"},
+                                                          {"l", "lines"},
+                                                          {"p", "point elements"}};
+    const auto name = names.find(keyword);
+    auto& others = statements_.others;
+    std::string other = name == names.end() ? "'" + keyword + "'" : name->second;
+    if (std::find(others.begin(), others.end(), other) == others.end())
+      others.push_back(std::move(other));
+  }
+
   static Eigen::Vector3d
   toVector(const std::vector<double>& numbers)
   {
@@ -187,8 +219,8 @@ private:
       const auto first = std::min(word.find('/'), word.size());
       const auto second = std::min(word.find('/', first + 1), word.size());
       Corner corner{indexOf(word.substr(0, first), points_.size()), NONE};
-      if (second < word.size())
-        corner.normal = indexOf(word.substr(second + 1), normals_.size());
+      if (second + 1 < word.size())
+        corner.normal = indexOf(word.substr(second + 1), statements_.normals.size());
       face.corners.push_back(corner);
     }
     faces_.push_back(face);
@@ -201,7 +233,7 @@ private:
     for (const auto& face : faces_)
       for (const auto& corner : face.corners)
         if (corner.point >= points_.size() ||
-            (corner.normal != NONE && corner.normal >= normals_.size()))
+            (corner.normal != NONE && corner.normal >= statements_.normals.size()))
           throw std::runtime_error("line " + std::to_string(face.line) +
                                    ": a face refers to a point or normal that is not "
                                    "there");
@@ -237,7 +269,7 @@ private:
 
   TextLines lines_;
   std::vector<Point> points_;
-  std::vector<Eigen::Vector3d> normals_;
+  OBJStatements statements_;
   std::vector<Face> faces_;
 };
 

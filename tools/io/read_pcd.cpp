@@ -43,6 +43,11 @@ readRows(const PCDHeader& header, TextLines& lines)
     columns += field.count;
   std::uint64_t rows = 0;
   for (; lines.next(); ++rows) {
+    while (lines.text()[0] == '#') // somebody's note
+      if (!lines.next())
+        break;
+    if (lines.text().empty())
+      break;
     const auto& words = lines.words();
     if (words.size() != columns)
       lines.fail("has " + std::to_string(words.size()) + " numbers instead of " +
@@ -173,14 +178,18 @@ readPCD(std::istream& stream)
   cloud.row_step = cloud.point_step * cloud.width;
   geometry.sensor_origin = header.sensor_origin;
   geometry.sensor_orientation = header.sensor_orientation;
+  geometry.comments = header.comments;
   switch (header.encoding) {
   case PCDHeader::Encoding::ASCII:
+    geometry.storage = Storage::TEXT;
     cloud.data = readRows(header, lines);
     break;
   case PCDHeader::Encoding::BINARY:
+    geometry.storage = Storage::BINARY;
     cloud.data = readBinary(header, stream);
     break;
   case PCDHeader::Encoding::COMPRESSED:
+    geometry.storage = Storage::COMPRESSED;
     cloud.data = readCompressed(header, stream);
     break;
   }

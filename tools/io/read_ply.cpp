@@ -33,7 +33,7 @@ using Element = PLYHeader::Element;
 int
 placeInColour(const Property& property)
 {
-  if (property.datatype != pcl::PCLPointField::UINT8)
+  if (property.datatype != pcl::PCLPointField::UINT8 || property.is_list)
     return -1;
   const std::string name = property.name.compare(0, 8, "diffuse_") == 0
                                ? property.name.substr(8)
@@ -51,32 +51,39 @@ struct Column {
   std::uint32_t offset;
   /** A byte that is stored as a float. */
   bool widen;
+  /** A list, which goes nowhere; null for all others. */
+  const Property* list = nullptr;
 };
+
+/** The parts that the colour of the points consists of, as bits; none where red, green
+ * or blue is missing. */
+int
+partsOfColour(const Element& vertex)
+{
+  int parts = 0;
+  for (const auto& property : vertex.properties)
+    if (const int place = placeInColour(property); place >= 0)
+      parts |= 1 << place;
+  return (parts & 7) == 7 ? parts : 0;
+}
 
 /** Make the fields of the points, and columns for their properties. */
 std::vector<Column>
 makeFields(const Element& vertex, pcl::PCLPointCloud2& cloud)
 {
-  int parts = 0; // of colours, as bits
-  for (const auto& property : vertex.properties) {
-    const int place = placeInColour(property);
-    if (place >= 0 && (parts & 1 << place))
-      throw std::runtime_error("has two colours; save it with one");
-    parts |= place < 0 ? 0 : 1 << place;
-  }
-  if (parts != 0 && (parts & 7) != 7)
-    throw std::runtime_error("its colours lack red, green or blue bytes; save it with "
-                             "all of them or with none");
-
+  const int parts = partsOfColour(vertex);
+  int taken = 0;
   std::vector<Column> columns;
   std::uint32_t colour = 0;
   bool has_colour = false;
   for (const auto& property : vertex.properties) {
-    if (property.is_list)
-      throw std::runtime_error("its points have lists ('" + property.name +
-                               "'), which cannot be read; save it without them");
+    if (property.is_list) {
+      columns.push_back({property.datatype, 0, false, &property});
+      continue;
+    }
     const int place = placeInColour(property);
-    if (place >= 0) {
+    if (place >= 0 && (parts & ~taken & 1 << place)) { // not of a second colour
+      taken |= 1 << place;
       if (!has_colour) {
         colour = cloud.point_step;
         if (parts & 8)
@@ -97,9 +104,6 @@ makeFields(const Element& vertex, pcl::PCLPointCloud2& cloud)
     addField(cloud, is_normal ? "normal_" + property.name.substr(1) : property.name,
              widen ? std::uint8_t(pcl::PCLPointField::FLOAT32) : property.datatype);
   }
-  for (const char* name : VectorField::POSITION)
-    if (!findField(cloud, name))
-      throw std::runtime_error(std::string("has no coordinate ") + name);
   return columns;
 }
 
@@ -109,11 +113,21 @@ areAsInFile(const std::vector<Column>& columns)
 {
   std::uint32_t end = 0;
   for (const auto& column : columns) {
-    if (column.widen || column.offset != end)
+    if (column.widen || column.list || column.offset != end)
       return false;
     end += pcl::getFieldSize(column.datatype);
   }
   return true;
+}
+
+void
+skip(const Property& property, PLYValues& values)
+{
+  std::uint8_t unused[8];
+  const std::uint64_t length =
+      property.is_list ? values.takeCount(property.length_datatype) : 1;
+  for (std::uint64_t i = 0; i < length; ++i)
+    values.take(property.datatype, unused);
 }
 
 void
@@ -127,6 +141,10 @@ readPoints(const Element& vertex, PLYValues& values, pcl::PCLPointCloud2& cloud)
     std::uint8_t* point = &cloud.data[i * cloud.point_step];
     values.beginElement();
     for (const auto& column : columns) {
+      if (column.list) {
+        skip(*column.list, values);
+        continue;
+      }
       values.take(column.datatype, point + column.offset);
       if (column.widen) {
         const float wide = point[column.offset];
@@ -137,23 +155,19 @@ readPoints(const Element& vertex, PLYValues& values, pcl::PCLPointCloud2& cloud)
   }
 }
 
-void
-skip(const Property& property, PLYValues& values)
+/** The property of faces that has the numbers of their points, or null. */
+const Property*
+indicesOf(const Element& element)
 {
-  std::uint8_t unused[8];
-  const std::uint64_t length =
-      property.is_list ? values.takeCount(property.length_datatype) : 1;
-  for (std::uint64_t i = 0; i < length; ++i)
-    values.take(property.datatype, unused);
+  const Property* indices = element.find("vertex_indices");
+  return indices ? indices : element.find("vertex_index");
 }
 
 /** Read the numbers of points that faces and cells of grids have. */
 std::vector<pcl::Vertices>
 readLists(const Element& element, PLYValues& values)
 {
-  const Property* indices = element.find("vertex_indices");
-  if (!indices)
-    indices = element.find("vertex_index");
+  const Property* indices = indicesOf(element);
   if (!indices || !indices->is_list)
     throw std::runtime_error("its " + element.name +
                              "s cannot be read; save it with 'property list uchar int "
@@ -178,6 +192,29 @@ readLists(const Element& element, PLYValues& values)
     values.endElement();
   }
   return lists;
+}
+
+/** Name what the file holds besides points, faces and grids of points. */
+std::vector<std::string>
+leftOut(const PLYHeader& header)
+{
+  std::vector<std::string> names;
+  for (const auto& element : header.elements) {
+    if (element.count == 0 || element.name == "range_grid")
+      continue;
+    if (element.name != "vertex" && element.name != "face") {
+      names.push_back("element '" + element.name.substr(0, 40) + "'");
+      continue;
+    }
+    for (const auto& property : element.properties) {
+      const bool is_read = element.name == "vertex" ? !property.is_list
+                                                    : &property == indicesOf(element);
+      if (!is_read)
+        names.push_back("property '" + property.name.substr(0, 40) + "' of " +
+                        (element.name == "vertex" ? "points" : "faces"));
+    }
+  }
+  return names;
 }
 
 /** Place the points in the cells of a grid; cells without one get a point without a
@@ -273,6 +310,11 @@ readPLY(std::istream& stream)
       }
   }
   values->end();
+  geometry.comments = header.comments;
+  geometry.left_out = leftOut(header);
+  geometry.storage = header.encoding == PLYHeader::Encoding::ASCII ? Storage::TEXT
+                     : header.encoding == PLYHeader::Encoding::BIG ? Storage::BINARY_BIG
+                                                                   : Storage::BINARY;
 
   if (!cells.empty())
     arrange(cells, cloud);

@@ -35,11 +35,41 @@ trimmed(std::string_view text)
   return text;
 }
 
+/** What ends the first line, and so all others: old Macs have carriage returns alone.
+ */
+char
+endOfLine(std::istream& stream)
+{
+  const auto here = stream.tellg();
+  char piece[4096];
+  const auto size = stream.read(piece, sizeof piece).gcount();
+  stream.clear();
+  stream.seekg(here);
+  const std::string_view text(piece, static_cast<std::size_t>(size));
+  const auto first = text.find_first_of("\r\n");
+  const bool is_alone = first != std::string_view::npos && text[first] == '\r' &&
+                        text.substr(first + 1, 1) != "\n" &&
+                        first + 1 < sizeof piece; // where nobody can tell
+  return is_alone ? '\r' : '\n';
+}
+
+/** The text before its comment. No # starts one in 1.#QNAN, as some programs write what
+ * is no number. */
+std::string_view
+withoutComment(std::string_view text)
+{
+  auto at = text.find('#');
+  while (at != std::string_view::npos && at > 0 && text[at - 1] == '.')
+    at = text.find('#', at + 1);
+  return text.substr(0, at);
+}
+
 } // namespace
 
 TextLines::TextLines(std::istream& stream, Style style)
 : stream_(stream)
 , style_(style)
+, end_of_line_(endOfLine(stream))
 {
 }
 
@@ -48,7 +78,8 @@ TextLines::readLine()
 {
   ++line_number_;
   line_.clear();
-  for (char piece[4096]; stream_.getline(piece, sizeof piece).gcount() > 0;) {
+  for (char piece[4096];
+       stream_.getline(piece, sizeof piece, end_of_line_).gcount() > 0;) {
     const bool has_end = !stream_.eof() && !stream_.fail();
     line_.append(piece, stream_.gcount() - (has_end ? 1 : 0));
     if (has_end || stream_.eof())
@@ -65,8 +96,8 @@ TextLines::readLine()
       fail("starts with a byte order mark; save the file without it");
     text.remove_prefix(3);
   }
-  if (style_ != Style::STRICT)
-    text = text.substr(0, text.find('#'));
+  if (style_ == Style::FREE || style_ == Style::COMMENTED)
+    text = withoutComment(text);
   text_ = trimmed(text);
   if (style_ == Style::FREE && text_.compare(0, 2, "//") == 0)
     text_.clear();
@@ -105,6 +136,20 @@ TextLines::takeWord()
   const std::string word = text_.substr(0, text_.find_first_of(WHITE_SPACE));
   text_ = std::string(trimmed(std::string_view(text_).substr(word.size())));
   return word;
+}
+
+void
+TextLines::putBack(const std::string& word)
+{
+  text_ = std::string(trimmed(word + ' ' + text_));
+}
+
+void
+TextLines::cutComment()
+{
+  const auto size = withoutComment(text_).size();
+  if (size < text_.size())
+    text_ = std::string(trimmed(std::string_view(text_).substr(0, size)));
 }
 
 bool

@@ -14,6 +14,7 @@ namespace tool {
 /** \brief Goes through a text file line by line and reads lines as rows of numbers.
  *
  * The point is the decimal separator whatever the locale. Blank lines are skipped.
+ * Lines end as the first one does: with a line feed, or with a carriage return alone.
  */
 class TextLines {
 public:
@@ -21,7 +22,8 @@ public:
     FREE,      ///< numbers stand apart by white space, or semicolons, or commas; what
                ///< follows a # or starts with // is skipped
     COMMENTED, ///< words stand apart by white space; what follows a # is skipped
-    STRICT     ///< words stand apart by white space, and there are no comments
+    RAW,       ///< words stand apart by white space, and there are no comments
+    STRICT     ///< as RAW, but there must be no byte order mark
   };
 
   /** \param[in] stream must outlive this object */
@@ -52,6 +54,14 @@ public:
   /** \brief Take the first word off the line. */
   std::string
   takeWord();
+
+  /** \brief Put a word back before the line. */
+  void
+  putBack(const std::string& word);
+
+  /** \brief Leave out what starts with a # in the line, if anything. */
+  void
+  cutComment();
 
   /** \brief Whether the line starts with a number, or with what should be one. */
   bool
@@ -88,6 +98,7 @@ private:
 
   std::istream& stream_;
   Style style_;
+  char end_of_line_;
   std::size_t line_number_ = 0;
   std::string line_, text_;
   std::vector<std::string_view> words_;

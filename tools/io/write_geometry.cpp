@@ -14,8 +14,6 @@ namespace {
 /** Less than the last digit that matters in any use of a point cloud. */
 constexpr double NEGLIGIBLE = 1e-6;
 
-using Writer = void (*)(std::ostream&, const Geometry&);
-
 /** Numbers from text have no type to keep, and most programs read floats only. */
 bool
 suitsFloats(const Geometry& geometry)
@@ -23,22 +21,26 @@ suitsFloats(const Geometry& geometry)
   return geometry.from_text && singlePrecisionError(boundingBox(geometry)) < NEGLIGIBLE;
 }
 
-Writer
-writerOf(FileFormat format)
+void
+writeAs(FileFormat format, std::ostream& stream, const Geometry& geometry)
 {
   switch (format) {
   case FileFormat::PCD:
-    return writePCD;
+    return writePCD(stream, geometry);
   case FileFormat::PLY:
-    return writePLY;
+    return writePLY(stream, geometry);
   case FileFormat::OBJ:
-    return writeOBJ;
+    return writeOBJ(stream, geometry);
   case FileFormat::STL:
-    return writeSTL;
+    return writeSTL(stream, geometry);
   case FileFormat::OFF:
-    return writeOFF;
+    return writeOFF(stream, geometry);
+  case FileFormat::PTX:
+    return writePTX(stream, geometry);
   case FileFormat::TEXT:
-    return writeText;
+  case FileFormat::CSV:
+  case FileFormat::PTS:
+    return writeText(stream, geometry, format);
   }
   throw std::logic_error("format without a writer");
 }
@@ -48,13 +50,12 @@ writerOf(FileFormat format)
 void
 writeGeometry(const Geometry& geometry, FileFormat format, std::ostream& stream)
 {
-  const Writer write = writerOf(format);
   const bool has_types = format == FileFormat::PCD || format == FileFormat::PLY;
   if (!has_types || !suitsFloats(geometry))
-    return write(stream, geometry);
+    return writeAs(format, stream, geometry);
   Geometry narrow = geometry;
   setCoordinateType(narrow, pcl::PCLPointField::FLOAT32);
-  write(stream, narrow);
+  writeAs(format, stream, narrow);
 }
 
 } // namespace tool

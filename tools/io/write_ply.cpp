@@ -4,10 +4,13 @@
 
 #include "fields.h"
 #include "format_writers.h"
+#include "numbers.h"
+#include "value_output.h"
 
 #include <pcl/common/io.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <string>
@@ -62,13 +65,6 @@ writeProperties(std::ostream& stream, const pcl::PCLPointField& field)
       stream << property << '_' << i << '\n';
 }
 
-template <typename T>
-void
-writeBytes(std::ostream& stream, T value)
-{
-  stream.write(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
 /** Bytes that stand in the file as they do in memory. */
 struct Span {
   std::size_t offset, size;
@@ -99,25 +95,47 @@ partsOf(const pcl::PCLPointCloud2& cloud)
   return parts;
 }
 
-/** Write a field whose bytes in memory are not those in the file. */
+/** Write a field value by value. */
 void
-writeField(std::ostream& stream,
+writeField(ValueOutput& output,
            const pcl::PCLPointField& field,
            const std::uint8_t* point)
 {
   if (isPackedColour(field)) {
     const auto colour = getColour(field, point);
-    stream.write(reinterpret_cast<const char*>(colour.data()),
-                 field.name == "rgba" ? 4 : 3);
+    for (std::size_t i = 0; i < (field.name == "rgba" ? 4 : 3); ++i)
+      output.write(colour[i]);
+    return;
   }
-  else
-    for (std::size_t i = 0; i < std::max<std::size_t>(field.count, 1); ++i)
-      writeBytes(stream, getNumber(field, point, i));
+  const bool is_double = typeName(field.datatype) == "double";
+  for (std::size_t i = 0; i < std::max<std::size_t>(field.count, 1); ++i)
+    if (is_double)
+      output.write(getNumber(field, point, i));
+    else
+      withType(field.datatype, [&](auto number) {
+        std::memcpy(&number, point + field.offset + i * sizeof number, sizeof number);
+        output.write(number);
+      });
 }
 
+/** Write the points field by field. */
+void
+writeFields(ValueOutput& output, const pcl::PCLPointCloud2& cloud)
+{
+  for (std::size_t i = 0; i < numberOfPoints(cloud); ++i) {
+    for (const auto& field : cloud.fields)
+      if (!isPadding(field))
+        writeField(output, field, &cloud.data[i * cloud.point_step]);
+    output.endElement();
+  }
+}
+
+/** Write the points, as many bytes at once as stand in the file as they do in memory.
+ */
 void
 writePoints(std::ostream& stream, const pcl::PCLPointCloud2& cloud)
 {
+  ValueOutput output(stream, Storage::BINARY);
   const auto write = [&](const std::uint8_t* bytes, std::size_t size) {
     stream.write(reinterpret_cast<const char*>(bytes),
                  static_cast<std::streamsize>(size));
@@ -132,18 +150,47 @@ writePoints(std::ostream& stream, const pcl::PCLPointCloud2& cloud)
       if (const auto* span = std::get_if<Span>(&part))
         write(point + span->offset, span->size);
       else
-        writeField(stream, std::get<pcl::PCLPointField>(part), point);
+        writeField(output, std::get<pcl::PCLPointField>(part), point);
   }
 }
 
-/** Write the length of a face's list of points. */
-void
-writeLength(std::ostream& stream, std::size_t length, bool in_a_byte)
+/** The name of an encoding, as the header has it. */
+const char*
+encodingName(Storage storage)
 {
-  if (in_a_byte)
-    writeBytes(stream, static_cast<std::uint8_t>(length));
-  else
-    writeBytes(stream, static_cast<std::uint32_t>(length));
+  switch (storage) {
+  case Storage::TEXT:
+    return "ascii";
+  case Storage::BINARY_BIG:
+    return "binary_big_endian";
+  default:
+    return "binary_little_endian";
+  }
+}
+
+/** Write what stands in the header for readers only. */
+void
+writeComments(std::ostream& stream, const std::vector<std::string>& comments)
+{
+  for (const auto& comment : comments) {
+    const bool is_for_programs = comment.compare(0, 9, "obj_info ") == 0 &&
+                                 comment.compare(9, 4, "num_") != 0; // a size
+    stream << (is_for_programs ? "" : "comment ") << comment << '\n';
+  }
+}
+
+void
+writeFaces(ValueOutput& output, const std::vector<pcl::Vertices>& faces, bool are_short)
+{
+  for (const auto& face : faces) {
+    if (are_short)
+      output.write(static_cast<std::uint8_t>(face.vertices.size()));
+    else
+      output.write(static_cast<std::uint32_t>(face.vertices.size()));
+    for (const auto vertex : face.vertices)
+      output.write(static_cast<std::int32_t>(vertex));
+    output.endElement();
+  }
 }
 
 } // namespace
@@ -157,9 +204,8 @@ writePLY(std::ostream& stream, const Geometry& geometry)
         return face.vertices.size() <= std::numeric_limits<std::uint8_t>::max();
       });
 
-  stream << "ply\nformat "
-         << (cloud.is_bigendian ? "binary_big_endian" : "binary_little_endian")
-         << " 1.0\n";
+  stream << "ply\nformat " << encodingName(geometry.storage) << " 1.0\n";
+  writeComments(stream, geometry.comments);
   if (cloud.height > 1) // PCL's convention for organised clouds
     stream << "obj_info num_cols " << cloud.width << "\nobj_info num_rows "
            << cloud.height << '\n';
@@ -172,12 +218,12 @@ writePLY(std::ostream& stream, const Geometry& geometry)
            << (short_faces ? "uchar" : "uint") << " int vertex_indices\n";
   stream << "end_header\n";
 
-  writePoints(stream, cloud);
-  for (const auto& face : geometry.faces) {
-    writeLength(stream, face.vertices.size(), short_faces);
-    for (const auto vertex : face.vertices)
-      writeBytes(stream, static_cast<std::int32_t>(vertex));
-  }
+  ValueOutput output(stream, geometry.storage);
+  if (geometry.storage == Storage::TEXT || geometry.storage == Storage::BINARY_BIG)
+    writeFields(output, cloud);
+  else
+    writePoints(stream, cloud);
+  writeFaces(output, geometry.faces, short_faces);
 }
 
 } // namespace tool

@@ -7,9 +7,10 @@
 #include <pcl/point_types.h>
 #include <pcl/registration/icp.h>
 #include <pcl/registration/kss/alignment.h>
-#include <pcl/registration/kss/detail/cloud_conversion.h>
+#include <pcl/registration/kss/detail/final_stage.h>
 #include <pcl/registration/kss/detail/stopping.h>
 #include <pcl/registration/kss/detail/surface_step.h>
+#include <pcl/registration/kss/detail/usable_points.h>
 #include <pcl/registration/kss/devices.h>
 #include <pcl/registration/kss/failure.h>
 #include <pcl/registration/kss/result.h>
@@ -150,15 +151,27 @@ public:
   void
   align(PointCloudSource& output, const Matrix4& guess);
 
-  /** \brief Mean squared distance from the (indexed, finite) aligned source points to
-   * their nearest neighbours in the target.
+  /** \brief Mean squared distance from the (finite) aligned source points to their
+   * nearest neighbours in the target.
    * \param[in] max_range pairs whose \e squared distance exceeds it are left out, as in
    * PCL
+   * \param[in] use_indices whether the indexed points alone count; PCL has it after
+   * 1.15, and there it is false unless given
    * \return the score, or the largest double where no pair is left
    */
   double
-  getFitnessScore(double max_range = std::numeric_limits<double>::max());
-  using Base::getFitnessScore;
+  getFitnessScore(double max_range = std::numeric_limits<double>::max(),
+                  bool use_indices = true);
+
+  /** \brief Mean difference between two sets of distances, as in PCL: by name, since
+   * what else the base class has of this name differs with PCL's version.
+   */
+  double
+  getFitnessScore(const std::vector<float>& distances_a,
+                  const std::vector<float>& distances_b)
+  {
+    return Base::getFitnessScore(distances_a, distances_b);
+  }
 
   /** \brief Register a function that is called with every iteration of the final ICP.
    * \return whether the function can be called
@@ -233,6 +246,24 @@ public:
   getLargestScale() const
   {
     return settings_.largest_scale;
+  }
+
+  /** \brief Set what the rotation is about: where both clouds are upright along an
+   * axis of their frames, as levelled scans are, fewer poses are tried, and less looks
+   * alike; what is tilted by more than the noise is refused. A guess is turned upright;
+   * an estimation that is set by setTransformationEstimation() may tilt the result.
+   */
+  void
+  setRotationAxis(kss::RotationAxis axis)
+  {
+    set(&kss::Settings::rotation_axis, axis);
+  }
+
+  /** \brief Get what the rotation is about. */
+  kss::RotationAxis
+  getRotationAxis() const
+  {
+    return settings_.rotation_axis;
   }
 
   /** \brief Set where the search runs.
@@ -511,25 +542,8 @@ protected:
   computeTransformation(PointCloudSource& output, const Matrix4& guess) override;
 
 private:
-  /** \brief Where one run of the final ICP ended. */
-  struct Run {
-    Matrix4 transformation, last_increment, previous_increment;
-    int iterations;
-    bool converged;
-    Correspondences correspondences;
-    kss::SurfacePrecision precision;
-
-    PCL_MAKE_ALIGNED_OPERATOR_NEW
-  };
-
-  /** \brief A pose that competes to be the result; one that the search found has no run
-   * of the final ICP yet.
-   */
-  struct PCL_KSS_ICP_NO_EXPORT Contender { // nor what sorts them is exported
-    Alternative alternative;
-    std::shared_ptr<Run> run;
-    bool is_guess = false; ///< whether it began with the guess, which keeps its scale
-  };
+  struct Run;
+  class FinalICP;
 
   /** \brief Take settings; say which are refused, and keep those before. */
   void
@@ -566,8 +580,8 @@ private:
    * \throws std::invalid_argument where a cloud has none, or the guess takes the source
    * far away from the target
    */
-  std::pair<kss::UsablePoints, kss::UsablePoints>
-  usablePoints(const std::optional<Eigen::Matrix4d>& guess) const;
+  std::pair<kss::UsablePoints<index_t>, kss::UsablePoints<index_t>>
+  usablePoints(const std::optional<kss::StoredPose>& guess) const;
 
   /** \brief The alignment stage for the settings: the one of the last time, which has
    * kept what it made of the clouds, where they ask for the same work.
@@ -575,131 +589,18 @@ private:
   kss::Alignment&
   alignmentForSettings();
 
-  /** \brief A part of the final ICP. */
-  struct FinalStep {
-    /** \brief The points of the source that take part. */
-    PointCloudSourceConstPtr points;
-    /** \brief Iterations at most. */
-    int iterations;
-    /** \brief How far the logarithm of the odds may then be behind the rival's for the
-     * run to go on. */
-    double most_behind;
-  };
-
-  /** \brief From few points, with which most of the way is made, to all of them, and
-   * from as many iterations as right poses take to as many as may be made. */
-  using FinalSteps = std::vector<FinalStep>;
-
-  /** \brief The parts of the final ICP.
-   * \param[in] used points of the source that take part, sorted in space
-   */
-  FinalSteps
-  finalSteps(const Indices& used) const;
-
-  /** \brief Run the final ICP from the guess and from all contenders that may be right,
-   * and put the one that the surfaces speak for most first.
-   * \param[in] steps from few points to all
-   * \return why the work came to no end; empty if it did
-   */
-  std::string
-  settle(const FinalSteps& steps,
-         const kss::PoseScorer& scorer,
-         const std::optional<Eigen::Matrix4d>& guess,
-         std::vector<Contender>& contenders);
-
-  /** \brief IterativeClosestPoint on the clouds themselves: T of (e11).
-   * \param[in] steps from few points to all
-   * \param[in] contender where to start
-   * \param[in] estimate_scale whether the scale may change where it is estimated
-   * \param[in] rival what the result competes with: where a step leaves it behind, that
-   * is all of its run; null: nothing
-   * \param[in] has_skins whether half of the source may have its nearest points on
-   * another skin of the target
-   */
-  Contender
-  finalICP(const FinalSteps& steps,
-           const kss::PoseScorer& scorer,
-           const Alternative& contender,
-           bool estimate_scale,
-           const Alternative* rival = nullptr,
-           bool has_skins = false);
-
-  /** \brief One step of it, which alone borrows the members of the base class.
-   * \param[in] before iterations that its run has made with the same points
-   * \param[in,out] pose
-   * \return whether it has led to one
-   */
-  bool
-  runICP(const FinalStep& step,
-         int before,
-         const kss::PoseScorer& scorer,
-         const kss::SurfaceStepSettings& settings,
-         Eigen::Matrix4d& pose);
-
-  /** \brief What the steps of its estimation go by. */
-  kss::SurfaceStepSettings
-  surfaceStepSettings(const kss::PoseScorer& scorer,
-                      bool estimate_scale,
-                      bool has_skins) const;
-
-  /** \brief What it has left in the members of the base class. */
-  Run
-  lastRun() const;
-
-  /** \brief The contender on a skin beside it, or between which it has come to rest,
-   * where that explains more. */
-  Contender
-  onSkinBeside(const FinalStep& step,
-               const kss::PoseScorer& scorer,
-               const Contender& contender);
-
-  /** \brief The contender at scale 1 where that explains the clouds as well: metric
-   * data must not lose accuracy to a scale that is free. */
-  Contender
-  atScaleOne(const FinalStep& step,
-             const kss::PoseScorer& scorer,
-             const Contender& contender);
-
-  /** \brief Of contenders that are as good as the first one, put the one first that is
-   * nearest to the guess. */
-  static void
-  preferNearest(const Eigen::Matrix4d& guess,
-                const kss::PoseScorer& scorer,
-                std::vector<Contender>& contenders);
-
-  /** \brief Whether the surfaces speak more for it; who has had no run comes last. */
-  static bool
-  isMoreLikely(const Contender& a, const Contender& b);
-
   /** \brief Take a contender as the result; one that has no run as it is.
    * \param[in] source_indices of the points that took part
    */
   void
-  accept(const Contender& contender, const Indices& source_indices);
+  accept(const kss::FinalContender& contender, const Indices& source_indices);
 
-  /** \brief List the distinct poses among the contenders, the result first. */
-  void
-  list(const std::vector<Contender>& contenders, const kss::PoseScorer& scorer);
-
-  /** \brief Decide whether the result has converged, and if not, say why.
-   * \param[in] stopped why the work came to no end; empty if it did
-   * \param[in] given_scale the scale of the result where it is not estimated
-   */
-  void
-  judgeResult(const std::string& stopped, double given_scale);
-
-  /** \brief One sentence on what would fit where nothing does: the mirror image of the
-   * source, or another scale than the one given; empty where neither does, or the work
-   * is stopped.
-   */
-  std::string
-  whatWouldFit(double given_scale);
-
-  /** \brief The scale at which another source fits the target, if it does, by a
-   * registration of its own.
+  /** \brief The scale at which the clouds fit otherwise, if they do, by a registration
+   * of its own.
+   * \param[in] is_mirrored whether the source is its mirror image, at the scale given
    */
   std::optional<double>
-  scaleOfFit(const PointCloudSourceConstPtr& source, const kss::Settings& settings);
+  scaleOfFit(bool is_mirrored, double given_scale, const kss::Settings& settings);
 
   /** \brief Say why there is no result, and leave the guess as the transformation. */
   void
@@ -710,9 +611,6 @@ private:
   kss::Stages stages_;
   kss::StopSignal stop_;
   bool source_is_output_ = false;
-  int final_runs_ = 0;          ///< of ICP that have begun, in the stage that goes on
-  double rounding_error_ = 0.0; ///< of a distance between points
-  Eigen::Vector3d source_centroid_ = Eigen::Vector3d::Zero();
   kss::SurfacePrecision precision_;
 
   kss::Alternatives alternatives_;

@@ -7,16 +7,18 @@
 #include <pcl/console/print.h>
 #include <pcl/registration/kss/detail/cloud_conversion.h>
 #include <pcl/registration/kss/detail/final_icp.h>
+#include <pcl/registration/kss/detail/final_stage.h>
+#include <pcl/registration/kss/detail/misfit.h>
 #include <pcl/registration/kss/detail/naming.h>
 #include <pcl/registration/kss/detail/packed_search.h>
 #include <pcl/registration/kss/detail/similarity.h>
 #include <pcl/registration/kss/detail/surface_estimation.h>
 #include <pcl/registration/kss/detail/tracked_correspondences.h>
+#include <pcl/registration/kss/detail/warnings.h>
 #include <pcl/registration/kss_icp.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 namespace pcl {
@@ -25,6 +27,8 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 KSSICP<PointSource, PointTarget, Scalar>::KSSICP()
 {
   reg_name_ = "KSSICP";
+  kss::setWarningSink(
+      [](const char* warning) { PCL_WARN("[pcl::KSSICP] %s\n", warning); });
   this->max_iterations_ = 300;
   this->euclidean_fitness_epsilon_ = 1e-5;
   convergence_criteria_.reset(new kss::FinalICPCriteria<Scalar>(
@@ -167,7 +171,7 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
 {
   failure_ = {};
   stages_.restart(settings_.progress);
-  std::optional<Eigen::Matrix4d> guessed;
+  std::optional<kss::StoredPose> guessed;
   if (guess != Matrix4::Identity())
     guessed = guess.template cast<double>();
   const auto [source_points, target_points] = usablePoints(guessed);
@@ -183,51 +187,61 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
       kss::toLocalCloud(*target_, target_points), guessed_scale, stages_);
   device_name_ = alignment.deviceName();
 
-  // ICP on the clouds themselves
+  // ICP on the clouds themselves, (e11), and the choice among the poses
   stages_.begin("final ICP");
-  final_runs_ = 0;
-  source_centroid_ = kss::centroidOf(*input_, source_points.indices);
-  const double rounding_error = kss::roundingError(*target_, target_points.indices);
-  rounding_error_ = std::sqrt(rounding_error);
-  if (auto* criteria =
-          dynamic_cast<kss::FinalICPCriteria<Scalar>*>(convergence_criteria_.get()))
-    criteria->setRoundingError(rounding_error);
+  const double given_scale = guessed_scale.value_or(1.0);
+  const kss::PoseScorer& scorer = aligned.scorer;
+  const double squared_rounding_error =
+      kss::roundingError(kss::placesOf(*target_), target_points.indices);
   Indices used = kss::spread(source_points.indices, settings_.icp_points);
-  kss::sortInSpace(*input_, used);
-  std::vector<Contender> contenders;
-  for (const Alternative& alternative : aligned.alternatives)
-    contenders.push_back({alternative, {}});
-  // whatever ends it, a callback's exception too, no cloud is kept
-  struct Finish {
-    KSSICP& icp;
-    ~Finish()
-    {
-      if (auto* surfaces =
-              dynamic_cast<kss::SurfaceEstimation<PointSource, PointTarget, Scalar>*>(
-                  icp.transformation_estimation_.get()))
-        surfaces->finish();
-    }
-  } finish{*this};
-  const std::string stopped =
-      settle(finalSteps(used), aligned.scorer, guessed, contenders);
+  kss::sortInSpace(kss::placesOf(*input_), used);
+  kss::FinalClouds clouds;
+  clouds.points = used.size();
+  clouds.iterations = this->max_iterations_;
+  clouds.rounding_error = std::sqrt(squared_rounding_error);
+  clouds.source_centroid =
+      kss::centroidOf(kss::placesOf(*input_), source_points.indices);
+  std::vector<kss::FinalContender> contenders;
+  std::string stopped;
+  {
+    FinalICP icp(*this, scorer, used, clouds.source_centroid, squared_rounding_error);
+    kss::FinalStage final_stage(settings_, scorer, clouds, icp, stages_);
+    contenders = final_stage.settle(aligned.alternatives, guessed);
+    stopped = final_stage.stopped();
+  }
   accept(contenders.front(), used);
-  list(contenders, aligned.scorer);
+  alternatives_ = kss::distinctPoses(contenders, scorer);
   stages_.end();
-  judgeResult(stopped, guessed_scale.value_or(1.0));
+
+  const double size_ratio = target_points.bulk.radius / source_points.bulk.radius;
+  failure_ = kss::failureOf(
+      settings_, alternatives_, contenders.front().run.get(), stopped, [&] {
+        if (!explains_misfits_)
+          return std::string();
+        return kss::whatWouldFit(settings_, getOverlap(), given_scale, size_ratio,
+                                 [&](bool is_mirrored, const kss::Settings& settings) {
+                                   return scaleOfFit(is_mirrored, given_scale,
+                                                     settings);
+                                 });
+      });
+  converged_ = failure_.cause == kss::FailureCause::NONE;
+  if (!converged_ && explains_misfits_)
+    PCL_WARN("[pcl::%s] %s\n", getClassName().c_str(), failure_.reason.c_str());
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
-std::pair<kss::UsablePoints, kss::UsablePoints>
+std::pair<kss::UsablePoints<index_t>, kss::UsablePoints<index_t>>
 KSSICP<PointSource, PointTarget, Scalar>::usablePoints(
-    const std::optional<Eigen::Matrix4d>& guess) const
+    const std::optional<kss::StoredPose>& guess) const
 {
   if (guess && !kss::isSimilarity(*guess))
     throw std::invalid_argument(
         "The guess is not a rotation, translation and positive scale.");
-  const kss::UsablePoints source =
-      kss::naming("source", [&] { return kss::usablePoints(*input_, *indices_); });
-  const kss::UsablePoints target = kss::naming(
-      "target", [&] { return kss::usablePoints(*target_, kss::allIndices(*target_)); });
+  const auto source =
+      kss::naming("source", [&] { return kss::usablePointsOf(*input_, *indices_); });
+  const auto target = kss::naming("target", [&] {
+    return kss::usablePointsOf(*target_, kss::allIndices(*target_));
+  });
   if (guess && !target.bulk.holds(
                    (*guess * source.bulk.middle.homogeneous()).template head<3>()))
     throw std::invalid_argument("The guess takes the source far away from the target: "
@@ -302,18 +316,19 @@ KSSICP<PointSource, PointTarget, Scalar>::place(const PointCloudSource& input,
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 double
-KSSICP<PointSource, PointTarget, Scalar>::getFitnessScore(double max_range)
+KSSICP<PointSource, PointTarget, Scalar>::getFitnessScore(double max_range,
+                                                          bool use_indices)
 {
   double sum = 0.0;
   std::size_t pairs = 0;
   if (input_ && target_ && tree_->getInputCloud()) {
     PointCloudSource aligned;
-    if (source_is_output_)
+    if (source_is_output_ || !use_indices)
       aligned = *input_;
-    else {
+    else
       copyIndexedSource(aligned);
+    if (!source_is_output_)
       place(aligned, aligned, final_transformation_);
-    }
     Indices index(1);
     std::vector<float> squared(1);
     for (const PointSource& point : aligned) {

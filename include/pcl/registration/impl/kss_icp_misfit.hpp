@@ -1,56 +1,30 @@
 /*
  * SPDX-License-Identifier: BSD-3-Clause
  *
- * Where nothing fits: what would.
+ * Where nothing fits: whether another source, or another scale, does.
  */
 
 #pragma once
 
-#include <pcl/registration/kss/detail/misfit.h>
-#include <pcl/registration/kss/detail/similarity.h>
 #include <pcl/registration/kss_icp.h>
-
-#include <cmath>
 
 namespace pcl {
 
 template <typename PointSource, typename PointTarget, typename Scalar>
-std::string
-KSSICP<PointSource, PointTarget, Scalar>::whatWouldFit(double given_scale)
-{
-  if (getOverlap().score >= kss::resembling) {
-    const auto mirrored = pcl::make_shared<PointCloudSource>();
-    copyIndexedSource(*mirrored);
-    for (PointSource& point : *mirrored) {
+std::optional<double>
+KSSICP<PointSource, PointTarget, Scalar>::scaleOfFit(bool is_mirrored,
+                                                     double given_scale,
+                                                     const kss::Settings& settings)
+try {
+  const auto source = pcl::make_shared<PointCloudSource>();
+  copyIndexedSource(*source);
+  if (is_mirrored)
+    for (PointSource& point : *source) {
       point.getVector3fMap() *= static_cast<float>(given_scale);
       point.getVector3fMap().x() *= -1.0f;
       if constexpr (traits::has_normal<PointSource>::value)
         point.getNormalVector3fMap().x() *= -1.0f;
     }
-    if (scaleOfFit(mirrored, settings_))
-      return kss::misfitButMirrored();
-  }
-  if (settings_.estimate_scale)
-    return "";
-  const auto source = pcl::make_shared<PointCloudSource>();
-  copyIndexedSource(*source);
-  const auto radiusOf = [](const auto& cloud) {
-    return kss::bulkOf(cloud, kss::finiteIndices(cloud, kss::allIndices(cloud))).radius;
-  };
-  const double ratio = radiusOf(*target_) / (given_scale * radiusOf(*source));
-  if (std::abs(std::log(ratio)) < std::log(kss::same_size))
-    return "";
-  kss::Settings any_scale = settings_;
-  any_scale.estimate_scale = true;
-  const std::optional<double> fitting = scaleOfFit(source, any_scale);
-  return fitting ? kss::misfitButScaled(*fitting, given_scale) : "";
-}
-
-template <typename PointSource, typename PointTarget, typename Scalar>
-std::optional<double>
-KSSICP<PointSource, PointTarget, Scalar>::scaleOfFit(
-    const PointCloudSourceConstPtr& source, const kss::Settings& settings)
-try {
   KSSICP other;
   other.explains_misfits_ = false;
   other.settings_ = settings;

@@ -25,6 +25,14 @@ enum class Mode {
            ///< things; at a known scale
 };
 
+/** \brief What the rotation of the result is about. */
+enum class RotationAxis {
+  ANY, ///< any axis (default)
+  X,   ///< the x axis of both clouds: they are upright along it, or lie alike
+  Y,   ///< the y axis of both clouds
+  Z    ///< the z axis of both clouds: levelled scans
+};
+
 /** \brief How the simplification spreads its points over the cloud. */
 enum class Density {
   UNIFORM, ///< by occupied area: uneven input density is evened out (default)
@@ -70,7 +78,7 @@ using ProgressCallback = std::function<void(const std::string& stage, double don
 /** \brief Everything that KSSICP can be told beyond what it inherits.
  *
  * What each of them means, its unit and its bounds are written down once, in the table
- * of settings_table.h; README.md shows it.
+ * of settings_table.h; docs/settings.md shows it.
  */
 struct Settings {
   /** \brief See its row of the table. */
@@ -79,6 +87,7 @@ struct Settings {
   bool estimate_scale = true;
   double smallest_scale = 0.0;
   double largest_scale = std::numeric_limits<double>::infinity();
+  RotationAxis rotation_axis = RotationAxis::ANY;
 
   bool clean = true;
   unsigned int sample_points = 2000;

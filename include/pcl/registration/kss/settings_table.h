@@ -16,8 +16,8 @@ namespace pcl {
 namespace kss {
 
 /** \brief The table of settings: what setters, setSettings(), the options of the
- * command line tool and README.md know of them. Their defaults are those of struct
- * Settings.
+ * command line tool and docs/settings.md know of them. Their defaults are those of
+ * struct Settings.
  */
 namespace setting {
 
@@ -136,6 +136,14 @@ inline constexpr auto table = std::make_tuple(
          "largest scale of the transformation where it is estimated"},
         {0.0, infinity},
         metres_in_micrometres},
+    Choice<RotationAxis, 4>{
+        {&Settings::rotation_axis, "rotation_axis", "setRotationAxis",
+         {"upright", "AXIS"}, Part::ALIGNMENT,
+         "axis of both clouds that the rotation is about"},
+        {{"any", RotationAxis::ANY, "the clouds may be tilted"},
+         {"x", RotationAxis::X, "they are upright along x"},
+         {"y", RotationAxis::Y, "along y"},
+         {"z", RotationAxis::Z, "along z, as levelled scans are"}}},
     Flag{
         {&Settings::clean, "clean", "", {"no-cleaning", ""}, Part::ALIGNMENT,
          "whether stray points are left out and heavy noise is averaged in the search"},

@@ -5,29 +5,39 @@
 #pragma once
 
 #include <pcl/registration/kss/export.h>
+#include <pcl/registration/kss/result.h>
+#include <pcl/registration/kss/settings.h>
 
+#include <functional>
+#include <optional>
 #include <string>
 
 namespace pcl {
 namespace kss {
 
-/** \brief The score of the overlap of clouds that resemble each other: different
- * objects score 0.33 at most, mirror images 0.41 and more. */
-constexpr double resembling = 0.36;
+/** \brief Registers the clouds once more, otherwise.
+ *
+ * Given whether the source is to be replaced by its mirror image, at the scale that was
+ * given, and the settings; returns the scale at which the clouds fit, if they do.
+ */
+using ScaleOfFit =
+    std::function<std::optional<double>(bool is_mirrored, const Settings& settings)>;
 
-/** \brief Clouds whose sizes are no farther apart than this are in one unit. */
-constexpr double same_size = 1.5;
-
-/** \brief One sentence on a source that fits only as its mirror image. */
-PCL_KSS_ICP_EXPORT std::string
-misfitButMirrored();
-
-/** \brief One sentence on clouds that fit, but not at the scale that was given.
- * \param[in] fitting the scale at which they do
- * \param[in] given the scale that they were said to have
+/** \brief One sentence on what would fit where nothing does: the mirror image of the
+ * source, or another scale than the one given, or that scale where it has been
+ * estimated; empty where none does.
+ * \param[in] settings nothing fits with
+ * \param[in] overlap at the best pose
+ * \param[in] given_scale the scale of all poses where it is not estimated
+ * \param[in] size_ratio how large the target is, as a multiple of the source
+ * \param[in] scale_of_fit asked once or twice
  */
 PCL_KSS_ICP_EXPORT std::string
-misfitButScaled(double fitting, double given);
+whatWouldFit(const Settings& settings,
+             const Overlap& overlap,
+             double given_scale,
+             double size_ratio,
+             const ScaleOfFit& scale_of_fit);
 
 } // namespace kss
 } // namespace pcl

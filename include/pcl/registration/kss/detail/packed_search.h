@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -36,7 +37,12 @@ public:
   {
   }
 
-  void
+  /** \brief What PCL's search returns here: nothing, or, after 1.13, whether it can
+   * take the cloud, which is told by searches here. */
+  using Accepted =
+      decltype(std::declval<search::KdTree<PointT>&>().setInputCloud(nullptr));
+
+  Accepted
   setInputCloud(const PointCloudConstPtr& cloud,
                 const IndicesConstPtr& indices = {}) override
   {
@@ -45,6 +51,7 @@ public:
     const std::lock_guard<std::mutex> lock(mutex_);
     packed_.reset();
     has_tree_ = false;
+    return Accepted(true);
   }
 
   int
@@ -58,7 +65,7 @@ public:
       return Base::nearestKSearch(point, k, indices, squared_distances);
     }
     const NearestTwo found = packedTree().nearest(point.getVector3fMap().data());
-    const index_t found_indices[] = {found.nearest, found.second};
+    const std::int32_t found_indices[] = {found.nearest, found.second};
     const float found_squared[] = {found.squared, found.second_squared};
     int number = 0;
     while (number < k && found_indices[number] >= 0)

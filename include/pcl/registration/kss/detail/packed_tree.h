@@ -5,9 +5,9 @@
 #pragma once
 
 #include <pcl/registration/kss/export.h>
-#include <pcl/types.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 
@@ -16,8 +16,8 @@ namespace kss {
 
 /** \brief The points that are nearest to a position. */
 struct NearestTwo {
-  index_t nearest = -1; ///< index; -1: none within the limit
-  index_t second = -1;  ///< index of the second nearest; -1: none within the limit
+  std::int32_t nearest = -1; ///< index; -1: none within the limit
+  std::int32_t second = -1;  ///< index of the second nearest; -1: none within the limit
   float squared = std::numeric_limits<float>::infinity();        ///< distance
   float second_squared = std::numeric_limits<float>::infinity(); ///< distance
 };

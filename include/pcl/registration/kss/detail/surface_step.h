@@ -6,6 +6,7 @@
 
 #include <pcl/registration/kss/detail/points.h>
 #include <pcl/registration/kss/export.h>
+#include <pcl/registration/kss/settings.h>
 
 #include <Eigen/Core>
 
@@ -24,6 +25,8 @@ struct SurfacePairs {
 struct SurfaceStepSettings {
   /** \brief The bounds of the scale of the step; equal ones: it is not estimated. */
   double smallest_scale = 1.0, largest_scale = 1.0;
+  /** \brief What the rotation of the step is about. */
+  RotationAxis rotation_axis = RotationAxis::ANY;
   /** \brief The distance of two points that rounding alone accounts for. */
   double rounding_error = 0.0;
   /** \brief How far normals are off, root mean square, in radians. */

@@ -7,9 +7,9 @@
 #include <pcl/registration/correspondence_estimation.h>
 #include <pcl/registration/kss/detail/packed_search.h>
 #include <pcl/registration/kss/detail/stopping.h>
+#include <pcl/registration/kss/detail/tracked_point.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -17,11 +17,8 @@ namespace pcl {
 namespace kss {
 
 /** \brief PCL's nearest point correspondences, without asking the tree for what is
- * known from the iteration before.
- *
- * The nearest target point of a source point stays the nearest as long as the point has
- * moved by less than half the difference to the second nearest: late iterations of ICP
- * hardly need the tree. Nor is the tree built again where it already holds the target.
+ * known from the iteration before (\ref TrackedPoint). Nor is the tree built again
+ * where it already holds the target.
  */
 template <typename PointSource, typename PointTarget, typename Scalar>
 class TrackedCorrespondences
@@ -57,7 +54,7 @@ public:
     const PackedTree* const tree =
         packed && packed->isOfSpace() ? &packed->packedTree() : nullptr;
     const double most = max_distance * max_distance;
-    limit_ =
+    const auto limit =
         static_cast<float>(std::min<double>(looked_beyond * max_distance, infinite));
     correspondences.clear();
     correspondences.reserve(found_.size());
@@ -65,9 +62,18 @@ public:
       if (i % 4096 == 0)
         throwIfStopped();
       const index_t query = (*this->indices_)[i];
-      const float squared = update(found_[i], (*this->input_)[query], tree);
-      if (found_[i].nearest >= 0 && squared <= most)
-        correspondences.emplace_back(query, found_[i].nearest, squared);
+      const PointSource& point = (*this->input_)[query];
+      const Eigen::Vector3f place = point.getVector3fMap();
+      const float squared = found_[i].move(
+          place, limit,
+          [&](index_t target) {
+            return ((*this->target_)[target].getVector3fMap() - place).squaredNorm();
+          },
+          [&](float squared_limit) {
+            return tree ? tree->nearest(place.data(), squared_limit) : searched(point);
+          });
+      if (found_[i].nearest() >= 0 && squared <= most)
+        correspondences.emplace_back(query, found_[i].nearest(), squared);
     }
     this->deinitCompute();
   }
@@ -89,50 +95,6 @@ public:
 private:
   static constexpr float infinite = std::numeric_limits<float>::infinity();
 
-  /** Points are looked for that much farther than correspondences reach: what finds
-   * none then needs not look again as soon as it moves. */
-  static constexpr double looked_beyond = 1.25;
-
-  /** \brief The target points nearest to a place, and how far from it that stays so. */
-  struct Found {
-    bool is_known = false;
-    index_t nearest = -1; ///< -1: none within the limit
-    index_t second = -1;
-    Eigen::Vector3f place;
-    float squared_slack = 0.0f;
-    float limit = 0.0f; ///< no point was looked for beyond
-  };
-
-  /** \brief Find the nearest point; its squared distance, infinite where there is none.
-   * \param[in] tree of the target; null: any search
-   */
-  float
-  update(Found& found, const PointSource& point, const PackedTree* tree)
-  {
-    const Eigen::Vector3f place = point.getVector3fMap();
-    const auto squaredTo = [&](index_t target) {
-      return ((*this->target_)[target].getVector3fMap() - place).squaredNorm();
-    };
-    if (found.is_known && limit_ <= found.limit &&
-        (place - found.place).squaredNorm() < found.squared_slack)
-      return found.nearest < 0 ? infinite : squaredTo(found.nearest);
-    float squared_limit = limit_ * limit_;
-    if (found.second >= 0) // the two of before, rounding aside
-      squared_limit =
-          std::min(squared_limit, 1.0001f * std::max(squaredTo(found.nearest),
-                                                     squaredTo(found.second)));
-    const NearestTwo two =
-        tree ? tree->nearest(place.data(), squared_limit) : searched(point);
-    const float nearest = std::sqrt(two.squared);
-    const float second = std::min(std::sqrt(two.second_squared), limit_);
-    // rounding aside
-    const float slack = two.nearest >= 0
-                            ? 0.4999f * (second - nearest)
-                            : 0.999f * (1.0f - 1.0f / looked_beyond) * limit_;
-    found = {true, two.nearest, two.second, place, slack * std::abs(slack), limit_};
-    return two.squared;
-  }
-
   NearestTwo
   searched(const PointSource& point)
   {
@@ -149,11 +111,10 @@ private:
     return two;
   }
 
-  std::vector<Found> found_;
+  std::vector<TrackedPoint> found_;
   typename Base::PointCloudTargetConstPtr tracked_target_;
   Indices nearest_;
   std::vector<float> squared_;
-  float limit_ = infinite; ///< how far points are looked for
 };
 
 } // namespace kss

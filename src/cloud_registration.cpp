@@ -1,0 +1,260 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include <pcl/registration/kss/cloud_registration.h>
+
+#include <pcl/registration/kss/alignment.h>
+#include <pcl/registration/kss/detail/final_stage.h>
+#include <pcl/registration/kss/detail/misfit.h>
+#include <pcl/registration/kss/detail/naming.h>
+#include <pcl/registration/kss/detail/similarity.h>
+#include <pcl/registration/kss/detail/stopping.h>
+#include <pcl/registration/kss/detail/usable_points.h>
+
+#include "final/cloud_icp.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+namespace pcl {
+namespace kss {
+namespace {
+
+using Index = std::int32_t;
+
+auto
+placesOf(const Cloud& cloud)
+{
+  return [&cloud](Index i) { return cloud.points.col(i); };
+}
+
+/** The indices of all points. */
+std::vector<Index>
+allIndices(const Cloud& cloud)
+{
+  std::vector<Index> all(cloud.points.cols());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+UsablePoints<Index>
+usablePointsOf(const char* name, const Cloud& cloud)
+{
+  return naming(name, [&] {
+    if (cloud.points.cols() > std::numeric_limits<Index>::max())
+      throw std::invalid_argument("it has more than 2^31 points");
+    if (cloud.normals.cols() != 0 && cloud.normals.cols() != cloud.points.cols())
+      throw std::invalid_argument("it has " + std::to_string(cloud.points.cols()) +
+                                  " points and " +
+                                  std::to_string(cloud.normals.cols()) + " normals");
+    return usablePoints(placesOf(cloud), allIndices(cloud));
+  });
+}
+
+LocalCloud
+toLocalCloud(const Cloud& cloud, const UsablePoints<Index>& usable)
+{
+  LocalCloud local = localCloud(placesOf(cloud), usable);
+  if (cloud.normals.cols() > 0)
+    local.normals =
+        unitNormals([&cloud](Index i) { return cloud.normals.col(i); }, usable.indices);
+  return local;
+}
+
+/** Points of the source that take part in the final ICP, sorted in space. */
+Eigen::Matrix3Xd
+finalPoints(const Cloud& source, const UsablePoints<Index>& usable, std::size_t most)
+{
+  std::vector<Index> used = spread(usable.indices, most);
+  sortInSpace(
+      [&](Index i) -> Eigen::Vector3d {
+        return source.points.col(i) - usable.bulk.middle;
+      },
+      used);
+  Eigen::Matrix3Xd points(3, used.size());
+  for (std::size_t i = 0; i < used.size(); ++i)
+    points.col(i) = source.points.col(used[i]);
+  return points;
+}
+
+/** How far floats in the frame of a cloud are off. */
+double
+roundingErrorOf(const LocalCloud& cloud)
+{
+  std::vector<Index> all(cloud.points.cols());
+  std::iota(all.begin(), all.end(), 0);
+  return std::sqrt(roundingError([&](Index i) { return cloud.points.col(i); }, all));
+}
+
+/** The mirror image of a cloud, at a scale. */
+Cloud
+mirrored(const Cloud& cloud, double scale)
+{
+  Cloud image = cloud;
+  image.points *= scale;
+  image.points.row(0) *= -1.0;
+  image.normals.row(0) *= -1.0f;
+  return image;
+}
+
+} // namespace
+
+struct CloudRegistration::Implementation {
+  Settings settings;
+  int iterations = 300;
+  StopSignal stop;
+  std::unique_ptr<Alignment> alignment; ///< keeps what the next align() can use
+
+  /** The alignment stage for settings: that of the last time, which has kept what it
+   * made of the clouds, where they ask for the same work. */
+  Alignment&
+  alignmentFor(const Settings& asked)
+  {
+    if (!alignment || !sameWork(alignment->settings(), asked))
+      alignment = std::make_unique<Alignment>(asked);
+    return *alignment;
+  }
+
+  /** Algorithm 1; throws where no pose can be found.
+   * \param[in] explains_misfits whether to say what would fit where nothing does
+   */
+  void
+  registerClouds(const Settings& asked,
+                 const Cloud& source,
+                 const Cloud& target,
+                 const std::optional<StoredPose>& guess,
+                 bool explains_misfits,
+                 Stages& stages,
+                 Registered& result)
+  {
+    if (guess && !isSimilarity(*guess))
+      throw std::invalid_argument(
+          "The guess is not a rotation, translation and positive scale.");
+    const auto source_points = usablePointsOf("source", source);
+    const auto target_points = usablePointsOf("target", target);
+    result.far_points = {source_points.far, target_points.far};
+    if (guess && !target_points.bulk.holds(
+                     (*guess * source_points.bulk.middle.homogeneous()).head<3>()))
+      throw std::invalid_argument(
+          "The guess takes the source far away from the target: "
+          "is it in the units of the clouds?");
+    std::optional<double> guessed_scale;
+    if (guess)
+      guessed_scale = scaleOf(*guess);
+
+    // simplification, pre-shapes, {C} x {O}, energies, minima, ICP on each
+    Alignment& alignment_stage = alignmentFor(asked);
+    const LocalCloud local_target = toLocalCloud(target, target_points);
+    const Aligned aligned = alignment_stage.align(toLocalCloud(source, source_points),
+                                                  local_target, guessed_scale, stages);
+    result.device = alignment_stage.deviceName();
+
+    // ICP on the clouds themselves, (e11), and the choice among the poses
+    stages.begin("final ICP");
+    const Eigen::Matrix3Xd used = finalPoints(source, source_points, asked.icp_points);
+    FinalClouds clouds;
+    clouds.points = used.cols();
+    clouds.iterations = iterations;
+    clouds.rounding_error = roundingErrorOf(local_target);
+    clouds.source_centroid = centroidOf(placesOf(source), source_points.indices);
+    CloudICP icp(aligned.scorer, used, local_target, clouds.source_centroid,
+                 clouds.rounding_error);
+    FinalStage final_stage(asked, aligned.scorer, clouds, icp, stages);
+    const std::vector<FinalContender> contenders =
+        final_stage.settle(aligned.alternatives, guess);
+    const FinalRun* const run = contenders.front().run.get();
+    result.transformation = contenders.front().alternative.transformation;
+    if (run) {
+      result.precision = run->precision;
+      result.iterations = run->iterations;
+    }
+    result.alternatives = distinctPoses(contenders, aligned.scorer);
+    result.mode = asked.mode == Mode::AUTOMATIC
+                      ? modeOf(result.alternatives.front().overlap)
+                      : asked.mode;
+    stages.end();
+
+    const double given_scale = guessed_scale.value_or(1.0);
+    const auto what_would_fit = [&] {
+      return whatWouldFit(asked, result.alternatives.front().overlap, given_scale,
+                          target_points.bulk.radius / source_points.bulk.radius,
+                          [&](bool is_mirrored, const Settings& otherwise) {
+                            return scaleOfFit(
+                                otherwise,
+                                is_mirrored ? mirrored(source, given_scale) : source,
+                                target);
+                          });
+    };
+    result.failure =
+        failureOf(asked, result.alternatives, run, final_stage.stopped(),
+                  explains_misfits ? what_would_fit : std::function<std::string()>());
+  }
+
+  /** The scale at which two clouds fit, if they do. */
+  std::optional<double>
+  scaleOfFit(Settings asked, const Cloud& source, const Cloud& target)
+  try {
+    asked.progress = {};
+    Stages stages;
+    Registered result;
+    registerClouds(asked, source, target, {}, false, stages, result);
+    if (result.failure.cause != FailureCause::NONE)
+      return {};
+    return scaleOf(result.transformation);
+  }
+  catch (const std::exception&) {
+    return {}; // it determines no pose, or has to end
+  }
+};
+
+CloudRegistration::CloudRegistration(const Settings& settings)
+: implementation_(std::make_unique<Implementation>())
+{
+  implementation_->settings = checked(settings, Settings()).settings;
+}
+
+CloudRegistration::~CloudRegistration() = default;
+
+void
+CloudRegistration::setMaximumIterations(int iterations)
+{
+  implementation_->iterations = iterations;
+}
+
+Registered
+CloudRegistration::align(const Cloud& source,
+                         const Cloud& target,
+                         const std::optional<StoredPose>& guess)
+{
+  Implementation& own = *implementation_;
+  own.stop.restart(own.settings.time_limit);
+  const HeedingSignal heeding(&own.stop);
+  Registered result;
+  Stages stages;
+  try {
+    stages.restart(own.settings.progress);
+    own.registerClouds(own.settings, source, target, guess, true, stages, result);
+  }
+  catch (...) {
+    result = {};
+    result.failure = failureOfException();
+    if (guess && isSimilarity(*guess))
+      result.transformation = *guess;
+    own.alignment.reset(); // whatever it was in the midst of
+  }
+  result.seconds = stages.seconds();
+  return result;
+}
+
+void
+CloudRegistration::cancel() noexcept
+{
+  implementation_->stop.cancel();
+}
+
+} // namespace kss
+} // namespace pcl
