@@ -105,6 +105,16 @@ inside sh -c 'g++ -std=c++17 -O1 /tmp/consumer/consumer.cpp -o /tmp/consumer/pro
 inside /tmp/consumer/program > /dev/null || fail "the program that pkg-config helped to build"
 goes purge libpcl-kss-icp-dev "$library"
 
+if ls "$root"/tmp/pcl-kss-icp-view_*.deb > /dev/null 2>&1; then
+  echo "== The viewer"
+  apt satisfy "$(needs "$library" pcl-kss-icp-view)"
+  files > "$root/tmp/before.txt"
+  mapfile -t debs < <(packages "$library" pcl-kss-icp-view)
+  apt install "${debs[@]}"
+  inside pcl_kss_icp_view --help > /dev/null || fail "the viewer"
+  goes purge pcl-kss-icp-view "$library"
+fi
+
 if ls "$root"/tmp/python3-pcl-kss-icp_*.deb > /dev/null 2>&1; then
   echo "== Python"
   apt satisfy "$(needs python3-pcl-kss-icp)"
