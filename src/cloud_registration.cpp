@@ -5,6 +5,7 @@
 #include <pcl/registration/kss/cloud_registration.h>
 
 #include <pcl/registration/kss/alignment.h>
+#include <pcl/registration/kss/detail/copies.h>
 #include <pcl/registration/kss/detail/final_stage.h>
 #include <pcl/registration/kss/detail/misfit.h>
 #include <pcl/registration/kss/detail/naming.h>
@@ -146,11 +147,24 @@ struct CloudRegistration::Implementation {
     if (guess)
       guessed_scale = scaleOf(*guess);
 
+    const LocalCloud local_source = toLocalCloud(source, source_points);
+    const LocalCloud local_target = toLocalCloud(target, target_points);
+
+    // a handful of points has no surface, but may be a copy
+    result.alternatives = copiesOf(local_source, local_target, asked, guess);
+    if (!result.alternatives.empty()) {
+      result.transformation = result.alternatives.front().transformation;
+      result.mode = Mode::GLOBAL_GLOBAL;
+      FinalRun at_rest;
+      at_rest.converged = true;
+      result.failure = failureOf(asked, result.alternatives, &at_rest, "", {});
+      return;
+    }
+
     // simplification, pre-shapes, {C} x {O}, energies, minima, ICP on each
     Alignment& alignment_stage = alignmentFor(asked);
-    const LocalCloud local_target = toLocalCloud(target, target_points);
-    const Aligned aligned = alignment_stage.align(toLocalCloud(source, source_points),
-                                                  local_target, guessed_scale, stages);
+    const Aligned aligned =
+        alignment_stage.align(local_source, local_target, guessed_scale, stages);
     result.device = alignment_stage.deviceName();
 
     // ICP on the clouds themselves, (e11), and the choice among the poses

@@ -595,6 +595,10 @@ private:
   void
   accept(const kss::FinalContender& contender, const Indices& source_indices);
 
+  /** \brief Take the first of the poses at which the source is a copy of the target. */
+  void
+  acceptCopies(const kss::Alternatives& copies);
+
   /** \brief The scale at which the clouds fit otherwise, if they do, by a registration
    * of its own.
    * \param[in] is_mirrored whether the source is its mirror image, at the scale given

@@ -181,4 +181,18 @@ KSSICP<PointSource, PointTarget, Scalar>::accept(const kss::FinalContender& cont
     correspondence.index_query = source_indices[correspondence.index_query];
 }
 
+template <typename PointSource, typename PointTarget, typename Scalar>
+void
+KSSICP<PointSource, PointTarget, Scalar>::acceptCopies(const kss::Alternatives& copies)
+{
+  const auto run = std::make_shared<Run>();
+  run->transformation = copies.front().transformation;
+  run->iterations = 1;
+  run->converged = true;
+  accept({copies.front(), run}, {});
+  alternatives_ = copies;
+  failure_ = kss::failureOf(settings_, alternatives_, run.get(), "", {});
+  converged_ = failure_.cause == kss::FailureCause::NONE;
+}
+
 } // namespace pcl
