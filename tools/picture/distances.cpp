@@ -44,7 +44,7 @@ orderInSpace(const Points& points)
     cloud.push_back({local.x(), local.y(), local.z()});
   }
   pcl::Indices order = pcl::kss::allIndices(cloud);
-  pcl::kss::sortInSpace(cloud, order);
+  pcl::kss::sortInSpace(pcl::kss::placesOf(cloud), order);
   return order;
 }
 
