@@ -23,7 +23,8 @@ fi
 tools/pcl_kss_icp hippo2.ply hippo1.ply aligned.ply --rigid --transform transform.txt
 echo "In build-demo/: aligned.ply, which is hippo2.ply placed upon hippo1.ply, and"
 echo "transform.txt, the transformation"
-if python3 -c "import matplotlib, PIL" 2>/dev/null; then
-  python3 ../docs/make_picture.py hippo2.ply hippo1.ply transform.txt hippos.png
+python=/usr/bin/python3 # Debian's, whatever other ones there are: it has the packages
+if "$python" -c "import matplotlib, PIL" 2>/dev/null; then
+  "$python" ../docs/make_picture.py hippo2.ply hippo1.ply transform.txt hippos.png
   echo "hippos.png, a picture of them"
 fi

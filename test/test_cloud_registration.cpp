@@ -235,10 +235,10 @@ TEST(CloudRegistration, SaysWhatWouldFit)
   EXPECT_NE(std::string::npos, mirrored.failure.reason.find("mirror image"))
       << mirrored.failure.reason;
   Cloud large = pair.source;
-  large.points *= 10.0;
+  large.points *= 2.54;
   const Registered scaled = registration.align(large, pair.target);
   EXPECT_EQ(FailureCause::NO_FIT, scaled.failure.cause);
-  EXPECT_NE(std::string::npos, scaled.failure.reason.find("but at 0.1"))
+  EXPECT_NE(std::string::npos, scaled.failure.reason.find("but at 0.39"))
       << scaled.failure.reason;
 }
 

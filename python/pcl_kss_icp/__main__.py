@@ -7,7 +7,7 @@ import json
 import os
 import sys
 import warnings
-from typing import Any, Dict, List, Optional
+from typing import Any, Dict, List, Mapping, Optional
 
 import numpy as np
 
@@ -106,14 +106,17 @@ def _transformation_of(path: str) -> Any:
     return matrix
 
 
-def _report_of(result: Result) -> Dict[str, Any]:
+def _report_of(result: Result, source: str, target: str) -> Dict[str, Any]:
     """By the names of the C++ tool's report."""
     has_pose = bool(result.alternatives)
     covariance = result.covariance if has_pose else None
     deviation = None if covariance is None else 0.0
     if covariance is not None and len(covariance) > 6:
         deviation = result.scale * float(np.sqrt(covariance[6, 6]))
-    report: Dict[str, Any] = {"converged": result.converged}
+    report: Dict[str, Any] = {
+        "version": __version__,
+        "inputs": {"source": {"file": source}, "target": {"file": target}},
+        "converged": result.converged}
     if not result.converged:
         report.update(reason=result.reason, cause=result.cause)
     report.update(
@@ -136,7 +139,7 @@ def _report_of(result: Result) -> Dict[str, Any]:
 
 def _without_infinities(value: Any) -> Any:
     """JSON has no infinity and no NaN: null stands for them."""
-    if isinstance(value, dict):
+    if isinstance(value, Mapping):
         return {key: _without_infinities(each) for key, each in value.items()}
     if isinstance(value, (list, tuple)):
         return [_without_infinities(each) for each in value]
@@ -176,8 +179,8 @@ def _register_files(options: argparse.Namespace) -> int:
     result = register(source.cloud(), target.cloud(), guess=guess, samples=options.samples,
                       max_iterations=options.iterations, **settings)
     if options.report:
-        _write_text(options.report,
-                    json.dumps(_without_infinities(_report_of(result)), indent=2) + "\n")
+        report = _report_of(result, options.source, options.target)
+        _write_text(options.report, json.dumps(_without_infinities(report), indent=2) + "\n")
     if not result:
         _complain(f"not registered: {result.reason}")
         return FAILED if result.cause in ("device", "other") else NOT_REGISTERED

@@ -11,14 +11,27 @@ Doubles = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 
+def _numbered(corners: Doubles) -> Indices:
+    """A number for each corner: points with the same coordinates are one."""
+    order = np.lexsort(corners.T)
+    rows = corners[order]
+    is_new = np.any(rows[1:] != rows[:-1], axis=1)
+    numbers = np.empty(len(corners), dtype=np.int64)
+    numbers[order] = np.concatenate([[0], np.cumsum(is_new)])
+    return numbers
+
+
 def _is_closed(faces: Indices) -> bool:
     """Whether two faces share each edge, and run along it opposite ways: the mesh has an
     inside, and its faces agree about it."""
-    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
-    ways = np.where(edges[:, 0] < edges[:, 1], 1, -1)
-    _, edge = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True)
-    edge = edge.ravel()
-    return bool(np.all(np.bincount(edge) == 2) and not np.any(np.bincount(edge, ways)))
+    begin, end = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
+    edges = np.minimum(begin, end) * (faces.max() + 1) + np.maximum(begin, end)
+    order = np.argsort(edges)
+    edges, ways = edges[order], (begin < end)[order]
+    if len(edges) % 2 or np.any(edges[::2] != edges[1::2]):
+        return False
+    are_pairs = np.all(edges[2::2] != edges[1:-1:2])
+    return bool(are_pairs and np.all(ways[::2] != ways[1::2]))
 
 
 def sampled(corners: Doubles, faces: Indices,
@@ -46,9 +59,7 @@ def sampled(corners: Doubles, faces: Indices,
     v = random.random((number, 1))
     points = (1.0 - u) * a[drawn] + u * (1.0 - v) * b[drawn] + u * v * c[drawn]
     normals = across[drawn] / np.linalg.norm(across[drawn], axis=1, keepdims=True)
-    # points with the same coordinates are one
-    _, one = np.unique(corners, axis=0, return_inverse=True)
-    if _is_closed(one.ravel()[faces]):
+    if _is_closed(_numbered(corners)[faces]):
         middle = points.mean(axis=0)
         volume = np.einsum("ij,ij->", a - middle, np.cross(b - middle, c - middle))
         if volume < 0.0:

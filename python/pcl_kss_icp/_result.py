@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any, Mapping, Optional, Tuple
 
 import numpy as np
@@ -14,10 +15,20 @@ Matrix = NDArray[np.float64]
 
 
 def _frozen(value: Any) -> Any:
-    """An array that nobody can change."""
-    array = np.array(value, dtype=np.float64, order="C")
-    array.setflags(write=False)
-    return array
+    """An array or a dictionary that nobody can change; anything else as it is."""
+    if isinstance(value, Mapping):
+        return MappingProxyType({key: _frozen(each) for key, each in value.items()})
+    if isinstance(value, np.ndarray):
+        value = np.array(value, dtype=np.float64, order="C")
+        value.setflags(write=False)
+    return value
+
+
+def _pickled(value: Any) -> Any:
+    """What pickle takes."""
+    if isinstance(value, Mapping):
+        return {key: _pickled(each) for key, each in value.items()}
+    return value
 
 
 def _rebuilt(kind: Any, values: Mapping[str, Any]) -> Any:
@@ -25,10 +36,14 @@ def _rebuilt(kind: Any, values: Mapping[str, Any]) -> Any:
 
 
 class _Frozen:
-    """Pickled by its fields: what is unpickled cannot be changed, either."""
+    """Cannot be changed, nor what is made of it by pickle."""
+
+    def __post_init__(self) -> None:
+        for name, value in vars(self).items():
+            object.__setattr__(self, name, _frozen(value))
 
     def __reduce__(self) -> Any:
-        return _rebuilt, (type(self), dict(vars(self)))
+        return _rebuilt, (type(self), _pickled(vars(self)))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -43,9 +58,6 @@ class Alternative(_Frozen):
     """How closely they do, in [0, 2]: two samplings of one surface come to 1.5."""
     evidence: Mapping[str, Any]
     """What the surfaces of the clouds say of the pose, by the names of the tool's report."""
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "transformation", _frozen(self.transformation))
 
     def __repr__(self) -> str:
         return (f"Alternative(scale={_scale_of(self.transformation):.6g}, "
@@ -95,11 +107,6 @@ class Result(_Frozen):
     """Wall time by stage, in the order in which they ran."""
     device: str
     """Where the search ran."""
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "transformation", _frozen(self.transformation))
-        if self.covariance is not None:
-            object.__setattr__(self, "covariance", _frozen(self.covariance))
 
     @property
     def overlap(self) -> Tuple[float, float]:

@@ -17,9 +17,9 @@
 
 namespace pcl_kss_icp {
 
-/** \brief Work on a thread of its own, while the one that called from Python looks after
- * signals and progress: neither waits for the end of a long stage, and Python's own
- * code runs on the thread that it belongs to.
+/** \brief Work on a thread of its own, while the one that called from Python looks
+ * after signals and progress: neither waits for the end of a long stage, and Python's
+ * own code runs on the thread that it belongs to.
  */
 class Attended {
 public:

@@ -24,8 +24,9 @@ rm -rf "$folder/wheels" "$folder/tested"
 pip "$folder/builder" install scikit-build-core pybind11 ||
   skip "PyPI, which has what builds the wheel, cannot be reached"
 
-# warnings are errors, and the objects those of the library, by ccache
-export CMAKE_CXX_COMPILER_LAUNCHER
+# warnings are errors, and the objects those of the library, by ccache: it goes by names, so
+# the compiler is called what CMake calls it, not what Python was built with
+export CC=${CC-cc} CXX=${CXX-c++} CMAKE_CXX_COMPILER_LAUNCHER
 CMAKE_CXX_COMPILER_LAUNCHER=$(command -v ccache || true)
 export CCACHE_BASEDIR=${CCACHE_BASEDIR-$project} CCACHE_NOHASHDIR=1
 pip "$folder/builder" wheel --no-deps --no-build-isolation --check-build-dependencies \

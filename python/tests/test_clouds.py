@@ -7,7 +7,7 @@ import pytest
 
 import pcl_kss_icp
 from pcl_kss_icp._clouds import cloud_of
-from pcl_kss_icp._meshes import sampled
+from pcl_kss_icp._meshes import _is_closed, sampled
 
 SAMPLES = 500
 
@@ -150,6 +150,16 @@ def test_samples_are_even_and_normals_point_outwards():
         turned, out = sampled(soup, np.arange(12).reshape(4, 3), SAMPLES)
         assert np.all(np.einsum("ij,ij->i", turned - inside, out) > 0)
     assert np.array_equal(sampled(corners, faces, 100)[0], sampled(corners, faces, 100)[0])
+
+
+def test_what_is_closed():
+    _, faces = tetrahedron()
+    assert _is_closed(faces) and _is_closed(faces[:, ::-1])
+    assert not _is_closed(faces[1:])
+    assert not _is_closed(np.vstack([faces, faces]))
+    disagreeing = faces.copy()
+    disagreeing[2] = disagreeing[2, ::-1]
+    assert not _is_closed(disagreeing)
 
 
 def test_faces_without_area_and_wrong_ones():

@@ -39,6 +39,7 @@ def test_writes_all_it_is_asked_for(files, small):
     assert degrees_between(transformation, small.truth) < 0.2
     report = json.loads((files / "r.json").read_text())
     assert report["converged"] is True and report["alternatives"]
+    assert report["inputs"]["source"]["file"] == str(files / "a.npy")
     assert np.array_equal(report["transformation"], transformation)
     expected = small.source @ transformation[:3, :3].T + transformation[:3, 3]
     assert np.allclose(np.load(files / "c.npy"), expected, atol=1e-12)

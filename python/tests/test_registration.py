@@ -56,10 +56,14 @@ def test_results_do_not_change(result):
         result.scale = 2.0
     with pytest.raises(ValueError):
         result.transformation[0, 0] = 2.0
+    with pytest.raises(TypeError):
+        result.seconds["search"] = 0.0
+    with pytest.raises(TypeError):
+        result.alternatives[0].evidence["source"]["near"] = 1.0
     again = pickle.loads(pickle.dumps(result))
     assert np.array_equal(again.transformation, result.transformation)
     assert again.alternatives[0].score == result.alternatives[0].score
-    assert repr(again) == repr(result)
+    assert repr(again) == repr(result) and dict(again.seconds) == dict(result.seconds)
     with pytest.raises(ValueError):
         again.covariance[0, 0] = 2.0
 

@@ -113,6 +113,8 @@ TEST_F(ForeignMeshes, OFF)
   const Geometry texture = readGeometry(path("again_l.off"));
   EXPECT_EQ(1.0, numberAt(texture, "texture_v", 3));
   EXPECT_EQ(0.5, numberAt(readGeometry(path("again_j.off")), "red", 1));
+  EXPECT_EQ(255.0, numberAt(readGeometry(path("again_i.off")), "alpha", 1));
+  EXPECT_EQ(Names{}, lossesOf(readGeometry(path("i.off")), FileFormat::OFF));
   EXPECT_EQ(1.0, numberAt(readGeometry(path("again_k.off")), "normal_z", 3));
 
   EXPECT_NE(

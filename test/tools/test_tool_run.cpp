@@ -294,7 +294,13 @@ TEST_F(ToolRun, MovesMeshes)
     EXPECT_EQ("", result.output + result.errors);
   }
   EXPECT_EQ(0u, content("aligned.off").find("OFF\n1500 1479 0\n"));
-  EXPECT_EQ(84u + 50u * 1479u, content("aligned.stl").size());
+  // the target lies where floats are too coarse, so these are text
+  const std::string facets = content("aligned.stl");
+  std::size_t number = 0;
+  for (std::size_t at = 0; (at = facets.find("endfacet", at)) != std::string::npos;
+       ++at)
+    ++number;
+  EXPECT_EQ(1479u, number);
   EXPECT_NE(std::string::npos, content("aligned.obj").find("\nf 1 14 22\n"));
 }
 

@@ -67,10 +67,9 @@ void
 Outputs::write(const Result& result, Geometry source, const Geometry& target)
 {
   const bool registered = result.converged;
-  if (report_)
-    report_->write([&](std::ostream& stream) {
-      stream << reportText(result, options_, source, target);
-    });
+  // what has to see the source, before it is moved away
+  const std::string report =
+      report_ ? reportText(result, options_, source, target) : "";
   if (picture_)
     picture_->write([&](std::ostream& stream) {
       writePicture(result, options_, source, target, stream);
@@ -84,6 +83,8 @@ Outputs::write(const Result& result, Geometry source, const Geometry& target)
     transform_->write([&](std::ostream& stream) {
       stream << transformationText(result.poses.front().transformation);
     });
+  if (report_)
+    report_->write([&](std::ostream& stream) { stream << report; });
 
   const SignalsHeld held; // all of them or none
   for (auto* file : {aligned_.get(), transform_.get(), report_.get(), picture_.get()})

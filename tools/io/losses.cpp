@@ -19,9 +19,11 @@ holdsFaces(FileFormat format)
          format == FileFormat::STL || format == FileFormat::OFF;
 }
 
-/** Whether a format has room for a field. */
+/** Whether a format has room for a field of a cloud. */
 bool
-holds(FileFormat format, const pcl::PCLPointField& field)
+holds(FileFormat format,
+      const pcl::PCLPointCloud2& cloud,
+      const pcl::PCLPointField& field)
 {
   const auto is_one_of = [&](const std::set<std::string>& names) {
     return names.count(field.name) > 0;
@@ -34,7 +36,9 @@ holds(FileFormat format, const pcl::PCLPointField& field)
     return is_normal || isPackedColour(field);
   case FileFormat::OFF:
     return is_normal || isPackedColour(field) ||
-           is_one_of({"red", "green", "blue", "texture_u", "texture_v"});
+           is_one_of({"texture_u", "texture_v"}) ||
+           (is_one_of({"red", "green", "blue", "alpha"}) && findField(cloud, "red") &&
+            findField(cloud, "green") && findField(cloud, "blue"));
   case FileFormat::PTS:
     return is_normal || isPackedColour(field) || is_one_of({"intensity"}) ||
            field.name.compare(0, 7, "column_") == 0;
@@ -68,7 +72,7 @@ lossesOf(const Geometry& geometry, FileFormat format)
     losses.insert(losses.end(), geometry.statements.others.begin(),
                   geometry.statements.others.end());
   for (const auto& field : geometry.cloud.fields)
-    if (!isPadding(field) && !holds(format, field))
+    if (!isPadding(field) && !holds(format, geometry.cloud, field))
       losses.push_back("field '" + field.name.substr(0, 40) + "'");
   if (!geometry.faces.empty() && !holdsFaces(format))
     losses.push_back("faces");

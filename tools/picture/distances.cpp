@@ -70,7 +70,7 @@ NearestPoints::NearestPoints(const Points& points)
   std::vector<double> spacings;
   for (std::size_t i = 0; i < points.size(); i += step) {
     const pcl::kss::NearestTwo two = tree_->nearest(&coordinates[3 * i]);
-    if (two.second >= 0)
+    if (two.second >= 0 && two.second_squared > 0.0f) // copies tell nothing
       spacings.push_back(std::sqrt(two.second_squared));
   }
   if (!spacings.empty())
