@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Checks that the manual page has all options that --help shows, and every section, and
+# Checks that the manual page has all options that --help shows, and
 # that man has nothing to complain of.
 #   test/package/man_page.sh TOOL PAGE
 set -euo pipefail
@@ -14,7 +14,7 @@ result=0
 for option in $options; do
   grep -qE -- "^(-. \[ )?$option( |$)" <<< "$text" || { echo "no $option"; result=1; }
 done
-for section in NAME SYNOPSIS DESCRIPTION OPTIONS ENVIRONMENT; do
+for section in NAME SYNOPSIS DESCRIPTION ENVIRONMENT; do
   grep -q "^\.SH \"\?$section" "$page" || { echo "no section $section"; result=1; }
 done
 if command -v man > /dev/null; then
