@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Prints a Markdown file as Doxygen gets it: links to files that are no pages, such as the
 code, become their words, since the documentation has no copy of them; links to a page's
-part become links to the page; and what a picture shows is said in one line, since Doxygen
-takes the rest of the page for it otherwise.
+part become links to the page; and words of links and pictures stand in one line, since
+Doxygen takes the rest of the page for them otherwise.
 
 usage: doxygen_filter.py FILE.md"""
 import re
@@ -14,8 +14,12 @@ PICTURE = re.compile(r"!\[[^\]]*\]")
 CODE_BLOCK = re.compile(r"(^```.*?^```$)", re.MULTILINE | re.DOTALL)
 
 
+def in_one_line(text):
+    return " ".join(text.split())
+
+
 def text_for_doxygen(text):
-    return LINK.sub(shown, PICTURE.sub(lambda words: " ".join(words.group().split()), text))
+    return LINK.sub(shown, PICTURE.sub(lambda words: in_one_line(words.group()), text))
 
 
 def shown(link):
@@ -23,7 +27,7 @@ def shown(link):
     page = target.partition("#")[0]
     if re.match(r"[a-z]+:", target):
         return link.group()
-    return f"[{words}]({page})" if page.endswith(".md") else words
+    return f"[{in_one_line(words)}]({page})" if page.endswith(".md") else words
 
 
 if len(sys.argv) != 2:
