@@ -15,6 +15,6 @@ foreach(target pcl_kss_icp_tool pcl_kss_icp_view pcl_kss_icp_files)
   if(TARGET ${target})
     # none of it without optimization, nor beside sanitizers, whose presets are of Debug
     target_compile_options(${target} PRIVATE
-      "$<$<AND:$<CXX_COMPILER_ID:GNU,Clang>,$<NOT:$<CONFIG:Debug>>>:-fstack-protector-strong;-D_FORTIFY_SOURCE=2>")
+      "$<$<AND:$<CXX_COMPILER_ID:GNU,Clang>,$<NOT:$<CONFIG:Debug>>>:-fstack-protector-strong;-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>")
   endif()
 endforeach()

@@ -12,7 +12,7 @@ packages=(
   python3-matplotlib python3-numpy
   python3-dev python3-pip python3-venv python3-pytest
   clang-format-14 doxygen
-  pkg-config help2man man-db
+  help2man man-db
   dpkg-dev file lintian)
 
 missing=()

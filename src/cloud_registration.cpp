@@ -15,6 +15,7 @@
 
 #include "final/cloud_icp.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -93,12 +94,12 @@ roundingErrorOf(const LocalCloud& cloud)
 
 /** The mirror image of a cloud, at a scale. */
 Cloud
-mirrored(const Cloud& cloud, double scale)
+mirrored(const Cloud& cloud, int axis, double scale)
 {
   Cloud image = cloud;
   image.points *= scale;
-  image.points.row(0) *= -1.0;
-  image.normals.row(0) *= -1.0f;
+  image.points.row(axis) *= -1.0;
+  image.normals.row(axis) *= -1.0f;
   return image;
 }
 
@@ -194,14 +195,14 @@ struct CloudRegistration::Implementation {
 
     const double given_scale = guessed_scale.value_or(1.0);
     const auto what_would_fit = [&] {
-      return whatWouldFit(asked, result.alternatives.front().overlap, given_scale,
-                          target_points.bulk.radius / source_points.bulk.radius,
-                          [&](bool is_mirrored, const Settings& otherwise) {
-                            return scaleOfFit(
-                                otherwise,
-                                is_mirrored ? mirrored(source, given_scale) : source,
-                                target);
-                          });
+      return whatWouldFit(
+          asked, result.alternatives.front().overlap, given_scale,
+          target_points.bulk.radius / source_points.bulk.radius,
+          [&](Mirror mirror, const Settings& otherwise) {
+            return mirror ? scaleOfFit(otherwise,
+                                       mirrored(source, *mirror, given_scale), target)
+                          : scaleOfFit(otherwise, source, target);
+          });
     };
     result.failure =
         failureOf(asked, result.alternatives, run, final_stage.stopped(),
@@ -213,9 +214,16 @@ struct CloudRegistration::Implementation {
   scaleOfFit(Settings asked, const Cloud& source, const Cloud& target)
   try {
     asked.progress = {};
+    // what is known of the target; dropped with the other where that fails
+    Implementation other;
+    other.iterations = iterations;
+    if (alignment && sameWork(alignment->settings(), asked))
+      other.alignment = std::move(alignment);
     Stages stages;
     Registered result;
-    registerClouds(asked, source, target, {}, false, stages, result);
+    other.registerClouds(asked, source, target, {}, false, stages, result);
+    if (other.alignment && sameWork(other.alignment->settings(), settings))
+      alignment = std::move(other.alignment);
     if (result.failure.cause != FailureCause::NONE)
       return {};
     return scaleOf(result.transformation);
@@ -236,7 +244,7 @@ CloudRegistration::~CloudRegistration() = default;
 void
 CloudRegistration::setMaximumIterations(int iterations)
 {
-  implementation_->iterations = iterations;
+  implementation_->iterations = std::max(1, iterations);
 }
 
 Registered

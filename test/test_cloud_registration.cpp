@@ -291,11 +291,42 @@ TEST(CloudRegistration, StillMovesWhereIterationsAreTooFew)
   CloudRegistration registration(quick());
   registration.setMaximumIterations(1);
   const Registered result = registration.align(pair.source, pair.target);
-  EXPECT_LE(result.iterations, 1);
+  EXPECT_EQ(1, result.iterations);
+  EXPECT_EQ(FailureCause::UNSETTLED, result.failure.cause);
+  EXPECT_NE(std::string::npos, result.failure.reason.find("after 1 iteration;"))
+      << result.failure.reason;
+  // one at least
+  registration.setMaximumIterations(0);
+  EXPECT_EQ(1, registration.align(pair.source, pair.target).iterations);
   registration.setMaximumIterations(300);
   const Registered settled = registration.align(pair.source, pair.target);
   EXPECT_EQ(FailureCause::NONE, settled.failure.cause) << settled.failure.reason;
   EXPECT_GT(settled.iterations, 1);
+}
+
+TEST(CloudRegistration, TakesThreePairsAtLeast)
+{
+  const CloudPair pair = pairOfClouds(randomRigid(6));
+  Settings settings = quick();
+  settings.icp_points = 2;
+  const Registered result = CloudRegistration(settings).align(pair.source, pair.target);
+  EXPECT_EQ(FailureCause::UNSETTLED, result.failure.cause);
+  EXPECT_NE(std::string::npos, result.failure.reason.find("too few correspondences"))
+      << result.failure.reason;
+  EXPECT_TRUE(result.alternatives.empty());
+}
+
+TEST(CloudRegistration, TurnsUprightCloudsAboutTheirAxis)
+{
+  const CloudPair pair = pairOfClouds(
+      similarity(Eigen::Quaterniond(Eigen::AngleAxisd(2.0, Eigen::Vector3d::UnitY())),
+                 1.0, {3.0, 2.0, 1.0}));
+  Settings settings = quick();
+  settings.rotation_axis = RotationAxis::Y;
+  const Registered result = CloudRegistration(settings).align(pair.source, pair.target);
+  EXPECT_EQ(FailureCause::NONE, result.failure.cause) << result.failure.reason;
+  const Eigen::Vector3d axis = result.transformation.block<3, 1>(0, 1);
+  EXPECT_NEAR(1.0, axis.normalized().y(), 1e-12);
 }
 
 } // namespace

@@ -73,8 +73,9 @@ CloudICP::iterate(const FinalStep& step,
   double before = std::numeric_limits<double>::max();
   while (!last_.converged && iterations < step.iterations) {
     const double squared_error = match(pose, settings.reach);
-    if (matches_.queries.size() < fewest_pairs)
-      return iterations > 0;
+    last_.has_too_few_pairs = matches_.queries.size() < fewest_pairs;
+    if (last_.has_too_few_pairs)
+      return true; // where it is
     const Eigen::Matrix4d moved = nextStep();
     pose = moved * pose;
     if (!isSimilarity(pose))

@@ -116,6 +116,13 @@ FinalStage::settle(const Alternatives& alternatives,
     std::stable_sort(contenders.begin(), contenders.end(), isMoreLikely);
     stopped_ = stop.what();
   }
+  // later on, an estimation that is none can have led away from all
+  const FinalRun* const run = contenders.front().run.get();
+  if (run && run->iterations == 0 && run->has_too_few_pairs)
+    throw RegistrationError(
+        FailureCause::UNSETTLED,
+        "The final ICP found too few correspondences; allow longer ones, or reject "
+        "fewer.");
   return contenders;
 }
 
@@ -323,10 +330,13 @@ failureOf(const Settings& settings,
 {
   if (!stopped.empty())
     return {FailureCause::STOPPED, stopped + "; the pose is the best one so far."};
-  if (!run || !run->converged)
-    return {FailureCause::UNSETTLED, "The final ICP still moved after " +
-                                         std::to_string(run ? run->iterations : 0) +
-                                         " iterations; allow more of them."};
+  if (!run || !run->converged) {
+    const int iterations = run ? run->iterations : 0;
+    return {FailureCause::UNSETTLED,
+            "The final ICP still moved after " + std::to_string(iterations) +
+                (iterations == 1 ? " iteration" : " iterations") +
+                "; allow more of them."};
+  }
   if (confidenceOf(alternatives) >= settings.minimum_confidence)
     return {};
   const std::string known = whatWouldFit ? whatWouldFit() : "";

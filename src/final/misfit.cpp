@@ -9,7 +9,9 @@
 #include "support/short_text.h"
 #include "support/units.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace pcl {
 namespace kss {
@@ -21,6 +23,23 @@ constexpr double resembling = 0.36;
 
 /** Clouds whose sizes are no farther apart than this are in one unit. */
 constexpr double same_size = 1.5;
+
+/** The axes that make all mirror images of a cloud, but for how it is turned. */
+std::vector<int>
+mirrorsFor(RotationAxis axis)
+{
+  switch (axis) {
+  case RotationAxis::X:
+    return {0, 1};
+  case RotationAxis::Y:
+    return {1, 2};
+  case RotationAxis::Z:
+    return {2, 0};
+  case RotationAxis::ANY:
+    break;
+  }
+  return {0};
+}
 
 std::string
 misfitButScaled(double fitting, double given)
@@ -57,7 +76,10 @@ whatWouldFit(const Settings& settings,
              double size_ratio,
              const ScaleOfFit& scale_of_fit)
 {
-  if (overlap.score >= resembling && scale_of_fit(true, settings))
+  const std::vector<int> mirrors = mirrorsFor(settings.rotation_axis);
+  if (overlap.score >= resembling &&
+      std::any_of(mirrors.begin(), mirrors.end(),
+                  [&](int axis) { return scale_of_fit(axis, settings).has_value(); }))
     return "The source fits the target only as its mirror image: is an axis of one of "
            "them turned round, or is it a counterpart, as a left hand is of a right "
            "one?";
@@ -66,7 +88,7 @@ whatWouldFit(const Settings& settings,
     return "";
   Settings other = settings;
   other.estimate_scale = !settings.estimate_scale;
-  const std::optional<double> fitting = scale_of_fit(false, other);
+  const std::optional<double> fitting = scale_of_fit({}, other);
   if (!fitting)
     return "";
   return settings.estimate_scale ? misfit_but_metric

@@ -23,6 +23,12 @@ setWarningSink(WarningSink sink)
   warning_sink = sink;
 }
 
+WarningSink
+warningSink()
+{
+  return warning_sink;
+}
+
 void
 warn(const std::string& warning)
 {

@@ -6,7 +6,8 @@
 
 #include "trial.h"
 
-#include <random>
+#include <functional>
+#include <string>
 
 namespace {
 
@@ -51,15 +52,45 @@ TEST(KSSICP, UprightCloudsTurnAboutTheirAxisAlone)
     }
 }
 
-TEST(KSSICP, UprightCloudsAreFoundWithPointsAloneAndWithTheGridOfAngles)
+TEST(KSSICP, UprightCloudsAreFoundInAnyWay)
 {
+  using pcl::kss::Settings;
   const auto pair = pairOf(turnAbout(2, 2.2), 8);
-  Trial trial(pair);
-  trial.registration.setRotationAxis(RotationAxis::Z);
-  set(trial.registration, &pcl::kss::Settings::rotation_set,
-      pcl::kss::RotationSet::EULER);
-  EXPECT_LT(tiltOf(trial.align(), 2), 1e-6);
-  expectRight(trial.registration, pair);
+  const std::function<void(Settings&)> ways[] = {
+      [](Settings& s) { s.rotation_set = pcl::kss::RotationSet::EULER; },
+      [](Settings& s) { s.search = pcl::kss::Search::EXACT; },
+      [](Settings& s) { s = pcl::kss::paperSettings(s); },
+      [](Settings& s) { s.mode = pcl::kss::Mode::PARTIAL_PARTIAL; },
+      [](Settings& s) {
+        s.mode = pcl::kss::Mode::IN_SCENE;
+        s.estimate_scale = false;
+      }};
+  for (const auto& way : ways) {
+    Trial trial(pair);
+    Settings settings = trial.registration.getSettings();
+    settings.rotation_axis = RotationAxis::Z;
+    way(settings);
+    trial.registration.setSettings(settings);
+    EXPECT_LT(tiltOf(trial.align(), 2), 1e-6) << &way - ways;
+    expectRight(trial.registration, pair);
+  }
+}
+
+TEST(KSSICP, MirrorImagesOfUprightCloudsAreTold)
+{
+  for (int axis = 0; axis < 3; ++axis)
+    for (int flipped = 0; flipped < 3; ++flipped) {
+      auto pair = pairOf(turnAbout(axis, 1.0), 11);
+      for (pcl::PointXYZ& point : *pair.source)
+        point.getVector3fMap()[flipped] *= -1.0f;
+      Trial trial(pair);
+      trial.registration.setRotationAxis(axes[axis]);
+      trial.align();
+      EXPECT_FALSE(trial.registration.hasConverged());
+      EXPECT_NE(std::string::npos,
+                trial.registration.getFailureReason().find("mirror image"))
+          << axis << ", " << flipped << ": " << trial.registration.getFailureReason();
+    }
 }
 
 TEST(KSSICP, ATiltedCloudIsNotForcedUpright)

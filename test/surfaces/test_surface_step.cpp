@@ -4,6 +4,7 @@
 
 #include <pcl/registration/kss/detail/similarity.h>
 #include <pcl/registration/kss/detail/surface_step.h>
+#include <pcl/registration/kss/detail/surface_steps.h>
 
 #include "poses.h"
 
@@ -163,6 +164,27 @@ TEST(SurfaceStep, FindsNothingInFewPairsOrInNormalsThatSayNothing)
   SurfaceStepSettings settings;
   settings.source_normal_error = 1.0;
   EXPECT_FALSE(surfaceStep(pairs, settings).is_found);
+}
+
+TEST(SurfaceSteps, TurnsUprightWhatSomebodyElseHasFound)
+{
+  SurfaceStepSettings settings;
+  settings.rotation_axis = pcl::kss::RotationAxis::Z;
+  pcl::kss::SurfaceSteps steps;
+  steps.start(Eigen::Matrix4d::Identity(), settings);
+  pcl::kss::Matches matches;
+  std::mt19937 random(2);
+  matches.source.resize(3, 5);
+  for (int i = 0; i < 5; ++i)
+    matches.source.col(i) = randomVector(random, 1.0);
+  const Eigen::Vector3d middle = matches.source.rowwise().mean();
+  const StoredPose tilted = similarity(small_turn, 1.0, {0.1, 0.2, 0.3});
+  const StoredPose taken = steps.taken(tilted, matches);
+  EXPECT_NEAR(1.0, taken(2, 2), 1e-12);
+  EXPECT_TRUE((taken * middle.homogeneous()).isApprox(tilted * middle.homogeneous()));
+  settings.rotation_axis = pcl::kss::RotationAxis::ANY;
+  steps.start(Eigen::Matrix4d::Identity(), settings);
+  EXPECT_EQ(tilted, steps.taken(tilted, matches));
 }
 
 TEST(SurfaceStep, TurnsAboutTheAxisAlone)

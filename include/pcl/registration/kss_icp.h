@@ -8,6 +8,7 @@
 #include <pcl/registration/icp.h>
 #include <pcl/registration/kss/alignment.h>
 #include <pcl/registration/kss/detail/final_stage.h>
+#include <pcl/registration/kss/detail/misfit.h>
 #include <pcl/registration/kss/detail/stopping.h>
 #include <pcl/registration/kss/detail/surface_step.h>
 #include <pcl/registration/kss/detail/usable_points.h>
@@ -62,8 +63,8 @@ namespace pcl {
  * (setMaximumIterations); a relative change of the mean squared error below 1e-5
  * (setEuclideanFitnessEpsilon), an unchanged transformation (setTransformationEpsilon
  * 0) or a step of less than a tenth of the pose's standard error ends it: all are free
- * of units; a run that moves by more than that error at the iteration limit has not
- * converged
+ * of units; a run that moves by more than that error, and than rounding, at the
+ * iteration limit has not converged
  * (getConvergeCriteria()->setFailureAfterMaximumIterations(false) restores ICP's
  * reading). Correspondences longer than a few point spacings are left out, since one of
  * the points has no counterpart, unless the mode is GLOBAL_GLOBAL;
@@ -438,7 +439,8 @@ public:
    * noise of both clouds in it. It is that of the listed pose alone: where
    * isAmbiguous(), others are as good. Along directions that the surfaces do not
    * determine (see getUndeterminedDirections()) the clouds' own size is the standard
-   * deviation.
+   * deviation. What is known has none: with setRotationAxis() the rotations about the
+   * other two axes have zeros, and there is no inverse.
    * \return 6 x 6, or 7 x 7 where the scale has been estimated rather than taken for
    * the guess's or 1; empty where nothing is known: without a result, with a
    * transformation estimation of the user's own, and where the final ICP has not found
@@ -601,10 +603,10 @@ private:
 
   /** \brief The scale at which the clouds fit otherwise, if they do, by a registration
    * of its own.
-   * \param[in] is_mirrored whether the source is its mirror image, at the scale given
+   * \param[in] mirror what makes the source its mirror image, at the scale given
    */
   std::optional<double>
-  scaleOfFit(bool is_mirrored, double given_scale, const kss::Settings& settings);
+  scaleOfFit(kss::Mirror mirror, double given_scale, const kss::Settings& settings);
 
   /** \brief Say why there is no result, and leave the guess as the transformation. */
   void

@@ -28,8 +28,7 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 KSSICP<PointSource, PointTarget, Scalar>::KSSICP()
 {
   reg_name_ = "KSSICP";
-  kss::setWarningSink(
-      [](const char* warning) { PCL_WARN("[pcl::KSSICP] %s\n", warning); });
+  kss::showWarningsByPCL();
   this->max_iterations_ = 300;
   this->euclidean_fitness_epsilon_ = 1e-5;
   convergence_criteria_.reset(new kss::FinalICPCriteria<Scalar>(
@@ -208,7 +207,7 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
   kss::sortInSpace(kss::placesOf(*input_), used);
   kss::FinalClouds clouds;
   clouds.points = used.size();
-  clouds.iterations = this->max_iterations_;
+  clouds.iterations = std::max(1, this->max_iterations_);
   clouds.rounding_error = std::sqrt(squared_rounding_error);
   clouds.source_centroid =
       kss::centroidOf(kss::placesOf(*input_), source_points.indices);
@@ -229,11 +228,11 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
       settings_, alternatives_, contenders.front().run.get(), stopped, [&] {
         if (!explains_misfits_)
           return std::string();
-        return kss::whatWouldFit(settings_, getOverlap(), given_scale, size_ratio,
-                                 [&](bool is_mirrored, const kss::Settings& settings) {
-                                   return scaleOfFit(is_mirrored, given_scale,
-                                                     settings);
-                                 });
+        return kss::whatWouldFit(
+            settings_, getOverlap(), given_scale, size_ratio,
+            [&](kss::Mirror mirror, const kss::Settings& settings) {
+              return scaleOfFit(mirror, given_scale, settings);
+            });
       });
   converged_ = failure_.cause == kss::FailureCause::NONE;
   if (!converged_ && explains_misfits_)

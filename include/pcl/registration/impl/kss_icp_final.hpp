@@ -118,6 +118,8 @@ public:
     const auto run = std::make_shared<Run>();
     run->transformation = icp_.final_transformation_.template cast<double>();
     run->converged = icp_.converged_;
+    run->has_too_few_pairs = icp_.correspondences_->size() <
+                             static_cast<std::size_t>(icp_.min_number_correspondences_);
     if (!is_pose)
       return run;
     run->last_increment = icp_.transformation_;
@@ -163,14 +165,6 @@ KSSICP<PointSource, PointTarget, Scalar>::accept(const kss::FinalContender& cont
   if (!contender.run)
     return;
   const Run& run = static_cast<const Run&>(*contender.run);
-  // later on, an estimation that is none can have led away from all
-  if (run.iterations == 0 &&
-      run.correspondences.size() <
-          static_cast<std::size_t>(this->min_number_correspondences_))
-    throw kss::RegistrationError(
-        kss::FailureCause::UNSETTLED,
-        "The final ICP found too few correspondences; allow longer ones, or reject "
-        "fewer.");
   final_transformation_ = run.transformation.template cast<Scalar>();
   transformation_ = run.last_increment;
   previous_transformation_ = run.previous_increment;

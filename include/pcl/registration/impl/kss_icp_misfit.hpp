@@ -12,18 +12,18 @@ namespace pcl {
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 std::optional<double>
-KSSICP<PointSource, PointTarget, Scalar>::scaleOfFit(bool is_mirrored,
+KSSICP<PointSource, PointTarget, Scalar>::scaleOfFit(kss::Mirror mirror,
                                                      double given_scale,
                                                      const kss::Settings& settings)
 try {
   const auto source = pcl::make_shared<PointCloudSource>();
   copyIndexedSource(*source);
-  if (is_mirrored)
+  if (mirror)
     for (PointSource& point : *source) {
       point.getVector3fMap() *= static_cast<float>(given_scale);
-      point.getVector3fMap().x() *= -1.0f;
+      point.getVector3fMap()[*mirror] *= -1.0f;
       if constexpr (traits::has_normal<PointSource>::value)
-        point.getNormalVector3fMap().x() *= -1.0f;
+        point.getNormalVector3fMap()[*mirror] *= -1.0f;
     }
   KSSICP other;
   other.explains_misfits_ = false;

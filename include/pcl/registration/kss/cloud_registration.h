@@ -69,7 +69,8 @@ public:
 
   ~CloudRegistration();
 
-  /** \brief Set how many iterations the final ICP may make; 300 by default. */
+  /** \brief Set how many iterations the final ICP may make, one at least; 300 by
+   * default. */
   void
   setMaximumIterations(int iterations);
 

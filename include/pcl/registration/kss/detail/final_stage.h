@@ -58,6 +58,8 @@ struct PCL_KSS_ICP_EXPORT FinalRun {
   StoredPose transformation = StoredPose::Identity();
   int iterations = 0;     ///< with all points
   bool converged = false; ///< whether it has come to rest
+  /** \brief Whether its last iteration found fewer pairs than a pose takes. */
+  bool has_too_few_pairs = false;
   SurfacePrecision precision;
 };
 
@@ -109,8 +111,8 @@ struct FinalContender {
 struct FinalClouds {
   /** \brief Points of the source that take part. */
   std::size_t points = 0;
-  /** \brief Iterations at most, of a run. */
-  int iterations = 0;
+  /** \brief Iterations at most, of a run: at least one. */
+  int iterations = 1;
   /** \brief The distance of two points that rounding alone accounts for. */
   double rounding_error = 0.0;
   /** \brief The mean of the source's points. */
@@ -137,6 +139,7 @@ public:
    * \param[in] guess a similarity; none: there is none
    * \return the contenders, at least one, the one that the surfaces speak for most
    * first
+   * \throws RegistrationError where that one finds no pairs of points to begin with
    */
   std::vector<FinalContender>
   settle(const Alternatives& alternatives, const std::optional<StoredPose>& guess);

@@ -57,7 +57,8 @@ struct SurfacePrecision {
   /** \brief Rotation (radians about the axes), translation of the center, and, where it
    * is estimated, the logarithm of the scale: how many of these. */
   int unknowns = 0;
-  /** \brief Their covariance, in the upper left corner. */
+  /** \brief Their covariance, in the upper left corner; zeros for rotations that there
+   * may not be. */
   Eigen::Matrix<double, 7, 7, Eigen::DontAlign> covariance =
       Eigen::Matrix<double, 7, 7, Eigen::DontAlign>::Zero();
   /** \brief The directions of the pose that the surfaces do not determine. */

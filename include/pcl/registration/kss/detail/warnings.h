@@ -19,5 +19,13 @@ using WarningSink = void (*)(const char* warning);
 PCL_KSS_ICP_EXPORT void
 setWarningSink(WarningSink sink);
 
+/** \brief Who shows them; null: standard error. */
+PCL_KSS_ICP_EXPORT WarningSink
+warningSink();
+
+/** \brief Have them shown as PCL's own, unless somebody else shows them. */
+PCL_KSS_ICP_EXPORT void
+showWarningsByPCL();
+
 } // namespace kss
 } // namespace pcl
