@@ -148,7 +148,7 @@ TEST_F(Failure, AtTheIterationLimit)
   registration_.setMaximumIterations(1);
   registration_.align(output_);
   EXPECT_FALSE(registration_.hasConverged());
-  expectReason("iterations");
+  expectReason("after 1 iteration;");
   // it is still the best that could be had
   expectRight(registration_, pair_, 0.05);
   expectTransformed(output_, *pair_.source, registration_.getFinalTransformation());
