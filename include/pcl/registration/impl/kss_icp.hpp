@@ -194,8 +194,8 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
   std::optional<double> guessed_scale;
   if (guessed)
     guessed_scale = kss::scaleOf(*guessed);
-  const kss::Aligned aligned = alignment.align(
-      local_source, local_target, guessed_scale, stages_);
+  const kss::Aligned aligned =
+      alignment.align(local_source, local_target, guessed_scale, stages_);
   device_name_ = alignment.deviceName();
 
   // ICP on the clouds themselves, (e11), and the choice among the poses
