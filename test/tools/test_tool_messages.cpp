@@ -81,6 +81,8 @@ const Cases wrong_values{
     {"source.xyz target.xyz --iterations=-5", "--iterations -5"},
     {"source.xyz target.xyz --iterations many", "--iterations many"},
     {"source.xyz target.xyz --picture ''", "--picture"},
+    {"source.xyz target.xyz --picture p.jpg", "a file ending in .png"},
+    {"source.xyz target.xyz --upright=w", "use any, x, y or z"},
     {"--list-devices --device nonesuch", "nonesuch"},
     {"source.xyz target.xyz --samples 1", "--samples 1"}};
 
@@ -102,7 +104,10 @@ const Cases wrong_files{
     {"source.xyz target.xyz --transform no_directory/t", "no_directory/t"},
     {"source.xyz target.xyz --report a_directory.ply", "a_directory.ply"},
     {"source.xyz target.xyz source.xyz", "source.xyz"},
-    {"source.xyz target.xyz --report r --transform ./r", "r: is named twice"}};
+    {"source.xyz target.xyz --report r --transform ./r", "r: is named twice"},
+    {"source.xyz target.xyz --guess shear --picture ./shear", "shear: is named twice"},
+    {"--upright source.xyz missing.xyz", "missing.xyz: No such file"},
+    {"--upright y source.xyz missing.xyz", "missing.xyz: No such file"}};
 
 TEST_F(ToolRun, NamesWhatIsWrong)
 {
@@ -159,6 +164,8 @@ TEST_F(ToolRun, ShowsHelpVersionAndDevices)
                              "--paper",
                              "--no-cleaning",
                              "--rigid",
+                             "--upright [AXIS]",
+                             "--upright alone: z",
                              "--points",
                              "--angle-step",
                              "--rotations",

@@ -6,8 +6,10 @@
 
 #include "tool_run.h"
 
+#include "picture/canvas.h"
 #include "picture/colour_scale.h"
 #include "picture/distances.h"
+#include "picture/picture.h"
 #include "picture/splats.h"
 #include "picture/view.h"
 
@@ -47,6 +49,23 @@ struct Pixels {
   /** How many pixels have about the hue of a colour, whatever light falls on it. */
   std::size_t
   like(const Colour& colour) const
+  {
+    return likeAmong(pixels, colour);
+  }
+
+  /** Those of a rectangle. */
+  std::vector<std::uint32_t>
+  within(int left, int top, int right, int bottom) const
+  {
+    std::vector<std::uint32_t> some;
+    for (int row = top; row < bottom; ++row)
+      some.insert(some.end(), pixels.begin() + row * width + left,
+                  pixels.begin() + row * width + right);
+    return some;
+  }
+
+  static std::size_t
+  likeAmong(const std::vector<std::uint32_t>& pixels, const Colour& colour)
   {
     const Eigen::Vector3d wanted =
         Eigen::Vector3d(colour.red, colour.green, colour.blue).normalized();
@@ -130,10 +149,94 @@ TEST_F(ToolRun, DrawsWhateverFilesAreCalled)
   EXPECT_GT(Pixels(path("named.png")).like(tool::SOURCE_COLOUR), 5000u);
 }
 
+/** A picture of points with names and captions. */
+Pixels
+drawn(const std::filesystem::path& path,
+      const Points& points,
+      const std::string& name,
+      const std::string& caption,
+      std::size_t others)
+{
+  const tool::Subject subject{name, points};
+  const std::vector<tool::PicturePose> poses(others + 1,
+                                             {Eigen::Matrix4d::Identity(), caption});
+  std::ofstream stream(path, std::ios::binary);
+  tool::drawPicture(
+      subject, subject, poses,
+      {tool::PictureText::Verdict::AMBIGUOUS, "Title", "Details", "maker"}, stream);
+  stream.close();
+  return Pixels(path);
+}
+
+/** How many pixels there are that are not white. */
+std::size_t
+inked(const std::vector<std::uint32_t>& pixels)
+{
+  return pixels.size() - std::count(pixels.begin(), pixels.end(), 0xffffffu);
+}
+
+TEST_F(ToolRun, DrawsLongNamesAndCaptionsWhereTheyBelong)
+{
+  constexpr int MARGIN = 24, QUARTER = 270, GAP = 24, KEY = 120;
+  const Pixels picture =
+      drawn(path("long.png"), blob(), std::string(200, 'W') + ".xyz, 1,500 points",
+            "turned by 180°, scaled by 0.963 (score 1.49)", 4);
+  ASSERT_EQ(1200, picture.width);
+  const int right = picture.width - MARGIN;
+  EXPECT_EQ(0u, inked(picture.within(right, 80, picture.width, picture.height)));
+  // the disk beside each name
+  EXPECT_GT(picture.likeAmong(picture.within(0, 80, 60, KEY), tool::SOURCE_COLOUR),
+            60u);
+  EXPECT_GT(picture.likeAmong(picture.within(560, 80, 620, KEY), tool::TARGET_COLOUR),
+            60u);
+  // between the panels there is nothing, beneath them something
+  const int low = picture.height - 60;
+  for (int i = 0; i < 3; ++i) {
+    const int end = MARGIN + (i + 1) * QUARTER + i * GAP;
+    EXPECT_EQ(0u, inked(picture.within(end + 1, low, end + GAP - 1, picture.height)));
+    EXPECT_GT(inked(picture.within(end - QUARTER, low, end, picture.height)), 100u);
+  }
+  // a line more than that of a short one
+  EXPECT_GT(picture.height,
+            drawn(path("short.png"), blob(), "blob", "turned", 4).height);
+}
+
+TEST_F(ToolRun, DrawsCopiesOfAPointAsOneThatIsSeen)
+{
+  const Pixels picture =
+      drawn(path("copies.png"), Points(50, {1.0, 2.0, 3.0}), "copies.xyz", "", 0);
+  // in the panel of both before; they hide each other
+  const auto panel = picture.within(25, 160, 587, picture.height / 2 - 40);
+  EXPECT_GT(picture.likeAmong(panel, tool::SOURCE_COLOUR) +
+                picture.likeAmong(panel, tool::TARGET_COLOUR),
+            50u);
+}
+
+TEST(Canvas, ShortensTheMiddle)
+{
+  tool::Canvas canvas(1, 1);
+  const tool::TextStyle style;
+  const std::string fits = "scan.ply, 10 points";
+  EXPECT_EQ(fits, canvas.shortened(fits, style, canvas.widthOf(fits, style)));
+  std::string name;
+  for (int i = 0; i < 60; ++i)
+    name += i % 2 ? "ö" : "m"; // of two bytes and of one
+  for (const double width : {20.0, 100.0, 101.0, 300.0}) {
+    const std::string shown = canvas.shortened(name + ".ply", style, width);
+    EXPECT_LE(canvas.widthOf(shown, style), width);
+    EXPECT_GT(canvas.widthOf(shown, style), width - 20.0);
+    EXPECT_EQ(std::string::npos, shown.find('?')) << shown; // no half of a letter
+    EXPECT_NE(std::string::npos, shown.find("…")) << shown;
+  }
+  const std::string shown = canvas.shortened(name + ".ply", style, 100.0);
+  EXPECT_EQ(0u, shown.find('m'));
+  EXPECT_EQ(shown.size() - 4, shown.rfind(".ply"));
+}
+
 TEST_F(ToolRun, SaysWhereNoPictureCanBeWritten)
 {
-  std::vector<std::string> places{"no_directory/p.png", "a_directory.ply",
-                                  "source.xyz"};
+  std::filesystem::create_directory(path("a_directory.png"));
+  std::vector<std::string> places{"no_directory/p.png", "a_directory.png"};
   if (std::filesystem::exists("/dev/full"))
     places.emplace_back("/dev/full");
   const auto before = files();

@@ -203,6 +203,35 @@ TEST_F(ToolRun, SaysHowSureItIsAndWhatMayBeRigid)
               search(options + " source.xyz scaled.xyz").output.find(hint));
 }
 
+TEST_F(ToolRun, SaysThatARivalMayBeTheRightOne)
+{
+  // a rod of square section looks the same when turned
+  const auto rod = [](const Points& points) {
+    Points rod;
+    for (const Eigen::Vector3d& point : points)
+      rod.push_back(Eigen::Vector3d(3.0, 1.0, 1.0)
+                        .cwiseProduct(point / point.cwiseAbs().maxCoeff()));
+    return rod;
+  };
+  write("rod.xyz", rod(blob()));
+  write("other.xyz", moved(rod(latticeOfBlob()), similarity(1.0)));
+  const Outcome sure = search("source.xyz rigid.xyz --rigid");
+  const Outcome ambiguous = search("rod.xyz other.xyz --rigid");
+  EXPECT_EQ(0, ambiguous.status) << ambiguous.errors;
+  EXPECT_NE(std::string::npos, ambiguous.output.find("Ambiguous:")) << ambiguous.output;
+  for (const auto& [result, is_ambiguous] :
+       {std::pair{sure, false}, {ambiguous, true}}) {
+    std::string words;
+    std::istringstream text(result.output);
+    for (std::string word; text >> word;)
+      words += word + ' ';
+    EXPECT_NE(std::string::npos, words.find("% (of a hundred results as sure, "));
+    EXPECT_EQ(is_ambiguous, words.find("are right, or as good as the right one)") !=
+                                std::string::npos)
+        << words;
+  }
+}
+
 TEST_F(ToolRun, KeepsTheScaleAndAllDigitsIfRigid)
 {
   const Outcome result =
@@ -246,6 +275,24 @@ TEST_F(ToolRun, TakesTheModeTheScalesAndThePapersSettings)
   ASSERT_EQ(0, paper.status) << paper.errors;
   EXPECT_LT(largestDistance(read("target.xyz"), read("a.xyz")), 2.5 * 0.1);
   EXPECT_EQ("global", nlohmann::json::parse(content("r.json")).at("mode"));
+}
+
+TEST_F(ToolRun, TakesAnAxisOrNone)
+{
+  const Eigen::Affine3d turn(Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitY()));
+  write("turned.xyz", moved(blob(), turn));
+  const std::string files = "source.xyz turned.xyz --rigid --report r.json";
+  const std::pair<std::string, std::string> lines[] = {
+      {"--upright " + files, "z"},         {files + " --upright", "z"},
+      {"--upright y " + files, "y"},       {"--upright=y " + files, "y"},
+      {"--upright --quiet " + files, "z"}, {"--upright any " + files, "any"}};
+  for (const auto& [line, axis] : lines) {
+    SCOPED_TRACE(line);
+    EXPECT_EQ(axis == "z" ? 1 : 0, search(line).status);
+    EXPECT_EQ(
+        axis,
+        nlohmann::json::parse(content("r.json")).at("settings").at("rotation_axis"));
+  }
 }
 
 TEST_F(ToolRun, TakesTheSettingsOfExperts)
@@ -302,6 +349,24 @@ TEST_F(ToolRun, MovesMeshes)
     ++number;
   EXPECT_EQ(1479u, number);
   EXPECT_NE(std::string::npos, content("aligned.obj").find("\nf 1 14 22\n"));
+}
+
+TEST_F(ToolRun, SaysWhichFacesOfEitherFileAreNotRead)
+{
+  std::ostringstream ply;
+  ply << "ply\nformat ascii 1.0\nelement vertex " << blob_points
+      << "\nproperty double x\nproperty double y\nproperty double z\n"
+         "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+  for (const auto& point : blob())
+    ply << point.transpose() << '\n';
+  write("strips.ply", ply.str() + "4 0 1 2 -1\n");
+  const std::string said = "strips.ply: its faces in the element 'tristrips' are not ";
+  for (const std::string files : {"strips.ply target.xyz", "source.xyz strips.ply"}) {
+    const Outcome result = search(files);
+    EXPECT_EQ(0, result.status) << result.errors;
+    EXPECT_NE(std::string::npos, result.errors.find(said)) << result.errors;
+    EXPECT_EQ("", search(files + " --quiet").errors);
+  }
 }
 
 TEST_F(ToolRun, SaysWhyItIsNotRegistered)

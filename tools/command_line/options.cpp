@@ -8,9 +8,12 @@
 #include "setting_options.h"
 #include "wrapped.h"
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/program_options.hpp>
 
 #include <algorithm>
+#include <filesystem>
+#include <iterator>
 #include <sstream>
 
 namespace tool {
@@ -93,8 +96,29 @@ fileName(const po::variables_map& values, const std::string& option)
   return name;
 }
 
-/** The command line in words, the two values of --scale-range in one: an option has
- * either one value or all words that follow, files included. */
+/** The file of --picture; what has no ending, as pipes, may take PNG, too. */
+std::string
+pictureName(const po::variables_map& values)
+{
+  const std::string name = fileName(values, "picture");
+  const std::string ending = std::filesystem::path(name).extension().string();
+  if (!ending.empty() && !boost::algorithm::iequals(ending, ".png"))
+    throw UsageError("picture", name, "pictures are PNG: name a file ending in .png");
+  return name;
+}
+
+/** Whether a word is an axis for --upright, and no file. */
+bool
+isAxis(const std::string& word)
+{
+  const auto& words = setting::rowOf<&pcl::kss::Settings::rotation_axis>().words;
+  return std::any_of(std::begin(words), std::end(words),
+                     [&](const auto& axis) { return axis.word == word; });
+}
+
+/** The command line in words, the two values of --scale-range in one, and --upright
+ * with its axis: an option has either one value or all words that follow, and takes the
+ * next one for its own, files included. */
 std::vector<std::string>
 wordsOf(int argc, const char* const* argv)
 {
@@ -104,6 +128,10 @@ wordsOf(int argc, const char* const* argv)
     if (words.back() == "--scale-range" && i + 2 < argc) {
       words.push_back(std::string(argv[i + 1]) + ' ' + argv[i + 2]);
       i += 2;
+    }
+    else if (words.back() == "--upright") {
+      const bool has_axis = i + 1 < argc && isAxis(argv[i + 1]);
+      words.push_back(has_axis ? argv[++i] : USUAL_AXIS);
     }
   }
   return words;
@@ -161,7 +189,7 @@ parseOptions(int argc, const char* const* argv)
   options.guess = fileName(values, "guess");
   options.transform = fileName(values, "transform");
   options.report = fileName(values, "report");
-  options.picture = fileName(values, "picture");
+  options.picture = pictureName(values);
   options.view = values.count("view") > 0;
   ifGiven(values, "samples", [&](const auto& value) {
     options.samples = valueOf(samples_bounds, "samples", value);

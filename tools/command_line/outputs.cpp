@@ -30,6 +30,8 @@ Outputs::Outputs(const Options& options)
 : options_(options)
 {
   std::set<std::string> taken{canonical(options.source), canonical(options.target)};
+  if (!options.guess.empty())
+    taken.insert(canonical(options.guess));
   const auto prepare = [&](const std::string& path, std::unique_ptr<OutputFile>& file) {
     if (path.empty())
       return;

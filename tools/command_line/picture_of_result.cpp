@@ -8,8 +8,6 @@
 #include "picture/short_text.h"
 #include "words.h"
 
-#include <pcl/registration/kss/settings_text.h>
-
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -53,10 +51,9 @@ textOf(const Result& result, const Options& options)
                                   : PictureText::Verdict::REGISTERED;
   text.title = result.ambiguous ? "Registered, but ambiguous" : "Registered";
   const auto& overlap = result.poses.front().overlap;
-  text.details = "Sure: " + sureText(result.confidence) +
-                 ". Overlap: " + percent(overlap.source) + " of SOURCE, " +
-                 percent(overlap.target) +
-                 " of TARGET. Scale: " + pcl::kss::setting::numberText(result.scale) +
+  text.details = "Sure: " + sureText(result) + ". Overlap: " + percent(overlap.source) +
+                 " of SOURCE, " + percent(overlap.target) +
+                 " of TARGET. Scale: " + scaleText(result) +
                  (options.settings.estimate_scale ? "." : ", as given.");
   if (result.ambiguous)
     text.details += " Ambiguous: " + ambiguityText(result) + ".";

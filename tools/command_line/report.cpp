@@ -5,6 +5,7 @@
 #include "report.h"
 
 #include "io/fields.h"
+#include "picture/short_text.h"
 #include "words.h"
 #include "wrapped.h"
 
@@ -231,20 +232,17 @@ std::string
 summaryText(const Result& result, const Options& options)
 {
   const Pose& pose = result.poses.front();
-  std::ostringstream scale, time;
-  scale << std::setprecision(4) << result.scale;
   const std::string hint = scaleHint(result, options.settings);
-  if (!hint.empty())
-    scale << ": " << hint;
+  std::ostringstream time;
   time << std::setprecision(4) << result.seconds << " s on " << result.device
        << ", search " << wordOf<&pcl::kss::Settings::search>(result.search);
   std::string text =
       "Transformation of SOURCE onto TARGET:\n" + table(pose.transformation) +
-      lineOn("Scale:", scale.str()) +
+      lineOn("Scale:", scaleText(result) + (hint.empty() ? "" : ": " + hint)) +
       lineOn("Overlap:", percent(pose.overlap.source) + " of SOURCE, " +
                              percent(pose.overlap.target) + " of TARGET (" +
                              inWords(result.mode) + ")") +
-      lineOn("Sure:", sureText(result.confidence));
+      lineOn("Sure:", sureText(result));
   if (result.ambiguous)
     text += lineOn("Ambiguous:", ambiguityText(result) +
                                      ". --picture FILE shows them, --report FILE lists "

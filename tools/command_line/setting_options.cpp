@@ -49,10 +49,12 @@ add(po::options_description& options,
     const setting::Option& option,
     const std::string& text)
 {
-  auto* const value = po::value<std::string>()->value_name(option.value);
-  if (option.name == std::string("upright"))
-    value->implicit_value("z"); // as most scanners have it
-  options.add_options()(option.name, value, text.c_str());
+  const bool has_usual = option.name == std::string("upright");
+  const std::string value = option.value, more = "; --upright alone: ";
+  options.add_options()(
+      option.name,
+      po::value<std::string>()->value_name(has_usual ? '[' + value + ']' : value),
+      (has_usual ? text + more + USUAL_AXIS : text).c_str());
 }
 
 template <typename Row>

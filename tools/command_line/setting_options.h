@@ -14,6 +14,9 @@ namespace tool {
 /** \brief Who needs a setting. */
 enum class Users { EVERYBODY, EXPERTS };
 
+/** \brief What --upright means that names no axis: as most scanners have it. */
+constexpr const char* USUAL_AXIS = "z";
+
 /** \brief The options that set the settings, as the table of settings has them: those
  * with a setter of their own are everybody's. */
 boost::program_options::options_description

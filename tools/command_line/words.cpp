@@ -4,6 +4,8 @@
 
 #include "words.h"
 
+#include "picture/short_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -38,18 +40,21 @@ adviceOnMisfit(const Result& result, const Options& options)
 } // namespace
 
 std::string
-percent(double share)
+sureText(const Result& result)
 {
-  return std::to_string(std::lround(100.0 * share)) + " %";
+  // no evidence is worth more
+  const long hundredths = std::min(99l, std::lround(100.0 * result.confidence));
+  return std::to_string(hundredths) + " % (of a hundred results as sure, " +
+         std::to_string(hundredths) + (hundredths == 1 ? " is right" : " are right") +
+         (result.ambiguous ? ", or as good as the right one)" : ")");
 }
 
 std::string
-sureText(double confidence)
+scaleText(const Result& result)
 {
-  // no evidence is worth more
-  const long hundredths = std::min(99l, std::lround(100.0 * confidence));
-  return std::to_string(hundredths) + " % (of a hundred results as sure, " +
-         std::to_string(hundredths) + (hundredths == 1 ? " is right)" : " are right)");
+  std::ostringstream text;
+  text << result.scale; // six digits
+  return text.str();
 }
 
 std::size_t

@@ -16,13 +16,13 @@
 
 namespace tool {
 
-/** \brief A share in words: "42 %". */
-std::string
-percent(double share);
-
 /** \brief How sure a result is, and what that means. */
 std::string
-sureText(double confidence);
+sureText(const Result& result);
+
+/** \brief The scale in a few digits. */
+std::string
+scaleText(const Result& result);
 
 /** \brief How many poses, the first one aside, fit about as well as it does. */
 std::size_t

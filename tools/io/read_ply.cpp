@@ -217,6 +217,19 @@ leftOut(const PLYHeader& header)
   return names;
 }
 
+/** Name elements that are not read and hold faces, as strips of triangles do. */
+std::vector<std::string>
+unreadFaces(const PLYHeader& header)
+{
+  std::vector<std::string> names;
+  for (const auto& element : header.elements)
+    if (element.count > 0 && element.name != "vertex" && element.name != "face" &&
+        element.name != "range_grid" && indicesOf(element))
+      names.push_back("its faces in the element '" + element.name.substr(0, 40) +
+                      "' are not read; save them as elements 'face'");
+  return names;
+}
+
 /** Place the points in the cells of a grid; cells without one get a point without a
  * place. */
 void
@@ -312,6 +325,7 @@ readPLY(std::istream& stream)
   values->end();
   geometry.comments = header.comments;
   geometry.left_out = leftOut(header);
+  geometry.assumed = unreadFaces(header);
   geometry.storage = header.encoding == PLYHeader::Encoding::ASCII ? Storage::TEXT
                      : header.encoding == PLYHeader::Encoding::BIG ? Storage::BINARY_BIG
                                                                    : Storage::BINARY;

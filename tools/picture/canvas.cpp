@@ -4,6 +4,7 @@
 
 #include "canvas.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <new>
@@ -81,6 +82,27 @@ Canvas::wrapped(const std::string& text, const TextStyle& style, double width)
     else
       lines.push_back(word);
   return lines;
+}
+
+std::string
+Canvas::shortened(const std::string& text, const TextStyle& style, double width)
+{
+  std::string head = legible(text), tail;
+  if (widthOf(head, style) <= width)
+    return head;
+  // half of the characters each, and from the longer end one after the other away
+  const auto begins = [](char byte) { return (byte & 0xc0) != 0x80; };
+  const auto from = std::find_if(head.begin() + head.size() / 2, head.end(), begins);
+  tail.assign(from, head.end());
+  head.erase(from, head.end());
+  const std::string gap = "…";
+  while (!(head + tail).empty() && widthOf(head + gap + tail, style) > width)
+    if (head.size() > tail.size())
+      head.erase(std::find_if(head.rbegin(), head.rend(), begins).base() - 1,
+                 head.end());
+    else
+      tail.erase(tail.begin(), std::find_if(tail.begin() + 1, tail.end(), begins));
+  return head + gap + tail;
 }
 
 void

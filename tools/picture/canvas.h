@@ -36,6 +36,10 @@ public:
   std::vector<std::string>
   wrapped(const std::string& text, const TextStyle& style, double width);
 
+  /** \brief The text, without what of its middle is too much for that width. */
+  std::string
+  shortened(const std::string& text, const TextStyle& style, double width);
+
   /** \brief Write a line.
    * \param[in] x, y the left end of its base
    */

@@ -28,14 +28,6 @@ sharesOf(const Distances& distances)
   return shares;
 }
 
-std::string
-percent(double share)
-{
-  return share > 0.0 && share < 0.01
-             ? "< 1 %"
-             : std::to_string(std::lround(100.0 * share)) + " %";
-}
-
 /** A mark from the top of a diagram down to its scale.
  * \param[in] is_right whether the words are to the right of it, where they have room
  */

@@ -20,17 +20,23 @@ constexpr double COVERING = 2.2;
 
 const Colour grey{0.35, 0.35, 0.35};
 
-} // namespace
-
-Points
-seenFrom(const Eigen::Matrix3d& view, const Points& points)
+/** How large the points of a layer are drawn; large where they lie in one place, so
+ * that they are seen at all.
+ * \param[in] scale pixels per unit
+ */
+double
+radiusOf(const Layer& layer, double scale)
 {
-  Points seen;
-  seen.reserve(points.size());
-  for (const auto& point : points)
-    seen.emplace_back(view * point);
-  return seen;
+  Eigen::AlignedBox2d box;
+  for (const auto& point : layer.seen)
+    box.extend(point.head<2>());
+  if (scale * box.diagonal().norm() < LARGEST_RADIUS)
+    return LARGEST_RADIUS;
+  return std::min(std::max(COVERING * scale * layer.spacing, SMALLEST_RADIUS),
+                  LARGEST_RADIUS);
 }
+
+} // namespace
 
 void
 drawLayers(Canvas& canvas,
@@ -47,8 +53,7 @@ drawLayers(Canvas& canvas,
   splats.reserve(number);
   const double nearest = layers.front()->seen.front().z(); // any will do
   for (const Layer* layer : layers) {
-    const double radius = std::min(
-        std::max(COVERING * scale * layer->spacing, SMALLEST_RADIUS), LARGEST_RADIUS);
+    const double radius = radiusOf(*layer, scale);
     for (std::size_t i = 0; i < layer->seen.size(); ++i) {
       const auto& seen = layer->seen[i];
       splats.push_back(

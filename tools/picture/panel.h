@@ -20,17 +20,13 @@ struct Area {
 
 /** \brief Points that are drawn alike. */
 struct Layer {
-  /** \brief To the right, up, and towards the viewer. */
+  /** \brief See seenFrom(). */
   Points seen;
   /** \brief How far they are from each other. */
   double spacing;
   /** \brief One for all of them, or one for each; see packed(). */
   std::vector<std::uint32_t> colours;
 };
-
-/** \brief The points as a view shows them. */
-Points
-seenFrom(const Eigen::Matrix3d& view, const Points& points);
 
 /** \brief Draw points.
  * \param[in] relief see drawSplats()

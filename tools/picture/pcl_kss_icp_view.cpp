@@ -80,7 +80,7 @@ public:
     viewer_.setSize(1000, 750);
     viewer_.setBackgroundColor(1.0, 1.0, 1.0);
     show("target", drawn, [](std::size_t) { return TARGET_COLOUR; });
-    const double size = frameOf(seen(view, drawn)).size.norm();
+    const double size = frameOf(seenFrom(view, drawn)).size.norm();
     const Eigen::Vector3d eye = 1.6 * size * view.row(2).transpose();
     viewer_.setCameraPosition(eye.x(), eye.y(), eye.z(), 0, 0, 0, view(1, 0),
                               view(1, 1), view(1, 2));
@@ -97,20 +97,11 @@ public:
   }
 
 private:
-  static Points
-  seen(const Eigen::Matrix3d& view, const Points& points)
-  {
-    Points seen;
-    for (const auto& point : points)
-      seen.emplace_back(view * point);
-    return seen;
-  }
-
   /** The middle of points, in a view. */
   static Eigen::Vector3d
   inView(const Eigen::Matrix3d& view, const Points& points)
   {
-    const Frame frame = frameOf(seen(view, points));
+    const Frame frame = frameOf(seenFrom(view, points));
     return {frame.middle.x(), frame.middle.y(), view.row(2).dot(points.front())};
   }
 

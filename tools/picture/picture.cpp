@@ -19,16 +19,20 @@ namespace {
 
 constexpr double WIDTH = 1200.0, MARGIN = 24.0, GAP = 24.0, TITLE = 30.0;
 constexpr double HALF = 0.5 * (WIDTH - 2.0 * MARGIN - GAP);
+constexpr double QUARTER = (WIDTH - 2.0 * MARGIN - 3.0 * GAP) / 4.0;
 constexpr std::size_t MOST_OTHERS = 4;
 
 const Colour pale{0.88, 0.88, 0.88}, grey{0.42, 0.42, 0.42};
-const TextStyle panel_title{15.0, true}, small{12.5, false, grey};
+const TextStyle panel_title{15.0, true}, small{12.5, false, grey}, caption{12.5};
 
 /** Of SOURCE, dark enough for thin lines. */
 const Colour AXES{0.72, 0.34, 0.0};
 
 /** Half of what axes take of a panel's width. */
 constexpr double AXES_ROOM = 38.0;
+
+/** From a line of a caption to the next. */
+constexpr double CAPTION_LINE = 17.0;
 
 /** Colours of light and shade, and such that have to stay what they stand for. */
 constexpr double STRONG_RELIEF = 0.8, WEAK_RELIEF = 0.3;
@@ -113,13 +117,15 @@ public:
     const double head = MARGIN + 74.0 + 21.0 * lines.size();
     const double row = heightFor(poses_.empty() ? target_frame_ : after_frame_, HALF);
     const std::size_t others = std::min(poses_.size(), MOST_OTHERS + 1);
-    const double quarter = (WIDTH - 2.0 * MARGIN - 3.0 * GAP) / 4.0;
-    const double other = poses_.empty() ? 0.0 : heightFor(after_frame_, quarter);
+    const double other = poses_.empty() ? 0.0 : heightFor(after_frame_, QUARTER);
+    std::size_t caption_lines = 0;
+    for (std::size_t i = 1; i < others; ++i)
+      caption_lines = std::max(caption_lines, captionOf(ruler, poses_[i]).size());
     double height = head + TITLE + row + MARGIN;
     if (!poses_.empty())
       height += GAP + TITLE + row;
     if (others > 1)
-      height += GAP + TITLE + other + 24.0;
+      height += GAP + TITLE + other + CAPTION_LINE * caption_lines + 7.0;
     Canvas canvas(static_cast<int>(WIDTH), static_cast<int>(height + 16.0));
 
     canvas.write(MARGIN, MARGIN + 18.0, text_.title,
@@ -144,7 +150,7 @@ public:
       canvas.write(MARGIN, y - 10.0, "Others that fit about as well", panel_title);
     for (std::size_t i = 1; i < others; ++i)
       drawOther(canvas, poses_[i],
-                {MARGIN + (i - 1) * (quarter + GAP), y, quarter, other});
+                {MARGIN + (i - 1) * (QUARTER + GAP), y, QUARTER, other});
     canvas.writePNG(stream);
   }
 
@@ -166,9 +172,10 @@ private:
         {SOURCE_COLOUR, "SOURCE: " + source_.title},
         {TARGET_COLOUR, "TARGET: " + target_.title}};
     for (const auto& [colour, words] : entries) {
+      const std::string shown = canvas.shortened(words, {14.5}, HALF - 19.0 - 32.0);
       canvas.disk(x + 6.0, y + 7.0, 6.0, colour);
-      canvas.write(x + 19.0, y + 12.0, words, {14.5});
-      x += 19.0 + canvas.widthOf(words, {14.5}) + 32.0;
+      canvas.write(x + 19.0, y + 12.0, shown, {14.5});
+      x += 19.0 + canvas.widthOf(shown, {14.5}) + 32.0;
     }
   }
 
@@ -294,7 +301,15 @@ private:
     drawLayers(canvas, besideAxes(area), unionOf(frameOf(layer.seen), target_frame_),
                {&layer, &target_layer_}, STRONG_RELIEF);
     drawAxes(canvas, area, pose);
-    canvas.write(area.x, area.y + area.height + 18.0, pose.caption, {12.5});
+    double y = area.y + area.height + 1.0;
+    for (const std::string& line : captionOf(canvas, pose))
+      canvas.write(area.x, y += CAPTION_LINE, line, caption);
+  }
+
+  static std::vector<std::string>
+  captionOf(Canvas& canvas, const PicturePose& pose)
+  {
+    return canvas.wrapped(pose.caption, caption, QUARTER);
   }
 
   const Subject &source_, &target_;

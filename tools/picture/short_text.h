@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -17,6 +18,15 @@ shortText(double number)
   text.precision(3);
   text << number;
   return text.str();
+}
+
+/** \brief A share in words: "42 %". */
+inline std::string
+percent(double share)
+{
+  return share > 0.0 && share < 0.01
+             ? "< 1 %"
+             : std::to_string(std::lround(100.0 * share)) + " %";
 }
 
 } // namespace tool

@@ -85,6 +85,16 @@ viewOf(const Points& points)
                         above * straight.row(1).transpose());
 }
 
+Points
+seenFrom(const Eigen::Matrix3d& view, const Points& points)
+{
+  Points seen;
+  seen.reserve(points.size());
+  for (const auto& point : points)
+    seen.emplace_back(view * point);
+  return seen;
+}
+
 double
 Frame::pixelsPerUnit(double width, double height) const
 {

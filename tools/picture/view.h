@@ -21,6 +21,10 @@ namespace tool {
 Eigen::Matrix3d
 viewOf(const Points& points);
 
+/** \brief The points as a view shows them: to the right, up, and towards the viewer. */
+Points
+seenFrom(const Eigen::Matrix3d& view, const Points& points);
+
 /** \brief What of a view's plane a panel shows. */
 struct Frame {
   /** \brief What is in the middle: to the right, and up. */
