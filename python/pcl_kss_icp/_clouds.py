@@ -25,15 +25,17 @@ def numbers_of(value: Any, name: str) -> Points:
     try:
         if hasattr(value, "cpu"):  # of Open3D's or PyTorch's tensors
             value = value.cpu().numpy()
-        array = value if isinstance(value, np.ma.MaskedArray) else np.asarray(value)
+        is_masked = isinstance(value, np.ma.MaskedArray)
+        array: Any = value if is_masked else np.asarray(value)
         if array.ndim == 0 or array.dtype.kind not in "fiuO":
             raise TypeError(f"this is {array.dtype}")
         kinds = set(map(type, array.flat)) if array.dtype.kind == "O" else set()
         for kind in kinds:
             if issubclass(kind, _NO_NUMBERS):
                 raise TypeError(f"this has elements of type {kind.__name__}")
-        doubles: Points = np.ma.filled(array.astype(np.float64, copy=False), np.nan)
-        return doubles
+        doubles = array.astype(np.float64, copy=False)
+        points: Points = doubles.filled(np.nan) if is_masked else doubles
+        return points
     except (TypeError, ValueError, RuntimeError) as error:
         raise ValueError(f"{name}: an array of real numbers is needed; {error}.") from None
 
