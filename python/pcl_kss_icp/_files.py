@@ -255,7 +255,10 @@ class MeshFile(File):
     def write(self, path: str, result: Result) -> None:
         turned = self._held.copy()
         turned.apply_transform(result.transformation)
-        turned.export(path)
+        stem, extension = os.path.splitext(os.path.basename(path))
+        # trimesh's own name for it would be that of every mesh in the folder
+        materials = {"mtl_name": f"{stem}.mtl"} if extension.lower() == ".obj" else {}
+        turned.export(path, **materials)
 
 
 KINDS: Tuple[Type[File], ...] = (ArrayFile, TextFile, LasFile, E57File, MeshFile)

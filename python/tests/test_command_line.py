@@ -6,6 +6,7 @@ import os
 import stat
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ import pcl_kss_icp
 from conftest import Pair, degrees_between
 from pcl_kss_icp import __main__ as command_line
 from pcl_kss_icp.__main__ import main
-from pcl_kss_icp._files import FileError, written
+from pcl_kss_icp._files import FileError, read, written
 
 
 def run(*arguments):
@@ -346,6 +347,22 @@ def test_meshes_by_trimesh(files, extension):
     assert len(whole.faces) == len(mesh.faces)
     expected = mesh.copy().apply_transform(pose)
     assert np.allclose(whole.bounds, expected.bounds, atol=1e-4)
+
+
+def test_materials_have_the_name_of_their_mesh(files):
+    trimesh = pytest.importorskip("trimesh")
+    pytest.importorskip("PIL")  # which trimesh needs for them
+    (files / "a.mtl").write_text("newmtl red\nKd 1 0 0\n")
+    (files / "a.obj").write_text(
+        "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl red\n"
+        "f 1/1 2/2 3/3\n")
+    (files / "material.mtl").write_text("the user's")
+    with written(str(files / "c.obj")) as part:
+        read(str(files / "a.obj")).write(part, SimpleNamespace(transformation=np.eye(4)))
+    assert (files / "material.mtl").read_text() == "the user's"
+    assert "mtllib c.mtl" in (files / "c.obj").read_text()
+    colours = trimesh.load(files / "c.obj").visual.material.diffuse
+    assert np.array_equal(colours[:3], [255, 0, 0])
 
 
 def test_points_by_trimesh_keep_colours(files, small):
