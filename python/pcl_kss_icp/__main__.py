@@ -12,7 +12,7 @@ from typing import Any, Dict, List, Mapping, Optional
 import numpy as np
 
 from . import SETTINGS, Result, __version__, device_names, register
-from ._files import FileError, check_format, read, write
+from ._files import FileError, check_format, read, written
 
 SUCCESS, NOT_REGISTERED, FAILED, INTERRUPTED = 0, 1, 2, 130
 
@@ -50,6 +50,8 @@ def _parser() -> argparse.ArgumentParser:
     add("--report", metavar="FILE", help="write all results as JSON, also if not registered")
     add("--guess", metavar="FILE", help="a transformation that may be right, as written")
     add("--rigid", action="store_true", help="the clouds have the same scale")
+    add("--upright", metavar="AXIS", nargs="?", const="z", dest="rotation_axis",
+        help=SETTINGS["rotation_axis"].meaning + "; z if none is named")
     add("--mode", metavar="WORD", help=SETTINGS["mode"].meaning)
     add("--scale-range", metavar=("A", "B"), nargs=2, type=float,
         help="smallest and largest scale where it is estimated")
@@ -57,8 +59,10 @@ def _parser() -> argparse.ArgumentParser:
     add("--time-limit", metavar="SECONDS", type=float, help=SETTINGS["time_limit"].meaning)
     add("--device", metavar="NAME", help=SETTINGS["device"].meaning)
     add("--threads", metavar="N", type=int, help=SETTINGS["threads"].meaning)
-    add("--iterations", metavar="N", type=int, default=300,
+    add("--max-iterations", metavar="N", type=int, default=300,
         help="iterations of the final ICP at most (default 300)")
+    add("--iterations", dest="max_iterations", type=int, default=argparse.SUPPRESS,
+        help=argparse.SUPPRESS)  # as it was called in the beginning
     add("--samples", metavar="N", type=int, default=10000,
         help="points that stand for a mesh (default 10000)")
     add("--set", metavar="NAME=VALUE", action="append", default=[],
@@ -84,9 +88,11 @@ def _typed(text: str, default: object) -> Any:
 def _settings_of(options: argparse.Namespace) -> Dict[str, Any]:
     settings: Dict[str, Any] = {
         name: getattr(options, name)
-        for name in ("rigid", "mode", "scale_range", "confidence", "time_limit", "device",
-                     "threads")
-        if getattr(options, name) not in (None, False)}
+        for name in ("rotation_axis", "mode", "scale_range", "confidence", "time_limit",
+                     "device", "threads")
+        if getattr(options, name) is not None}
+    if options.rigid:
+        settings["rigid"] = True
     for assignment in options.set:
         name, equals, text = assignment.partition("=")
         if not equals or name not in SETTINGS:
@@ -125,7 +131,7 @@ def _report_of(result: Result, source: str, target: str) -> Dict[str, Any]:
         scale_deviation=deviation,
         covariance=None if covariance is None else covariance.tolist(),
         undetermined=None if covariance is None else result.undetermined,
-        mode=result.mode if has_pose else None,
+        mode=result.mode,
         overlap=result.overlap if has_pose else None,
         score=result.alternatives[0].score if has_pose else None,
         confidence=result.confidence, ambiguous=result.ambiguous,
@@ -147,11 +153,8 @@ def _without_infinities(value: Any) -> Any:
 
 
 def _write_text(path: str, text: str) -> None:
-    try:
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text)
-    except OSError as error:
-        raise FileError(f"{path}: {error.strerror}") from None
+    with written(path) as part, open(part, "w", encoding="utf-8") as file:
+        file.write(text)
 
 
 def _summary_of(result: Result) -> str:
@@ -177,7 +180,7 @@ def _register_files(options: argparse.Namespace) -> int:
     source, target = read(options.source), read(options.target)
     guess = _transformation_of(options.guess) if options.guess else None
     result = register(source.cloud(), target.cloud(), guess=guess, samples=options.samples,
-                      max_iterations=options.iterations, **settings)
+                      max_iterations=options.max_iterations, **settings)
     if options.report:
         report = _report_of(result, options.source, options.target)
         _write_text(options.report, json.dumps(_without_infinities(report), indent=2) + "\n")
@@ -185,7 +188,8 @@ def _register_files(options: argparse.Namespace) -> int:
         _complain(f"not registered: {result.reason}")
         return FAILED if result.cause in ("device", "other") else NOT_REGISTERED
     if options.out:
-        write(source, options.out, result)
+        with written(options.out) as part:
+            source.write(part, result)
     if options.transform:
         _write_text(options.transform, "".join(
             " ".join(map(repr, row)) + "\n" for row in result.transformation.tolist()))
@@ -200,16 +204,16 @@ def _register_files(options: argparse.Namespace) -> int:
 
 def main(arguments: Optional[List[str]] = None) -> int:
     parser = _parser()
-    options = parser.parse_args(arguments)
-    if options.list_devices:
-        print("\n".join(device_names()))
-        return SUCCESS
-    if options.target is None:
+    options = parser.parse_intermixed_args(arguments)
+    if options.target is None and not options.list_devices:
         parser.error("needs SOURCE and TARGET")
     warnings.showwarning = lambda message, *_: _complain(f"warning: {message}")
     if options.quiet:
         warnings.simplefilter("ignore")
     try:
+        if options.list_devices:
+            print("\n".join(device_names()))
+            return SUCCESS
         return _register_files(options)
     except MemoryError:
         _complain("needs more memory than there is")
@@ -217,6 +221,8 @@ def main(arguments: Optional[List[str]] = None) -> int:
         _complain(error)
     except KeyboardInterrupt:
         return INTERRUPTED
+    except Exception as error:  # whatever it is, it does not say that the clouds do not fit
+        _complain(f"{type(error).__name__}: {error}")
     return FAILED
 
 

@@ -16,17 +16,27 @@ Normals = NDArray[np.float32]
 NO_NORMALS: Normals = np.empty((0, 3), dtype=np.float32)
 NO_NORMALS.setflags(write=False)
 
+# as in arrays of their own; but float() takes them
+_NO_NUMBERS = (str, bytes, bool, np.bool_)
+
 
 def numbers_of(value: Any, name: str) -> Points:
-    """Numbers as an array of doubles."""
-    if hasattr(value, "cpu"):  # of Open3D's or PyTorch's tensors
-        value = value.cpu().numpy()
+    """Numbers as an array of doubles; what is masked is NaN."""
     try:
-        array = np.asarray(value)
+        if hasattr(value, "cpu"):  # of Open3D's or PyTorch's tensors
+            value = value.cpu().numpy()
+        is_masked = isinstance(value, np.ma.MaskedArray)
+        array: Any = value if is_masked else np.asarray(value)
         if array.ndim == 0 or array.dtype.kind not in "fiuO":
             raise TypeError(f"this is {array.dtype}")
-        return array.astype(np.float64, copy=False)
-    except (TypeError, ValueError) as error:
+        kinds = set(map(type, array.flat)) if array.dtype.kind == "O" else set()
+        for kind in kinds:
+            if issubclass(kind, _NO_NUMBERS):
+                raise TypeError(f"this has elements of type {kind.__name__}")
+        doubles = array.astype(np.float64, copy=False)
+        points: Points = doubles.filled(np.nan) if is_masked else doubles
+        return points
+    except (TypeError, ValueError, RuntimeError) as error:
         raise ValueError(f"{name}: an array of real numbers is needed; {error}.") from None
 
 
@@ -64,8 +74,11 @@ def _corners_and_faces(cloud: Any) -> Optional[Tuple[Any, Any]]:
 
 def _points_and_normals(cloud: Any, name: str, samples: int) -> Tuple[Any, Any]:
     """What an object holds; normals are None where it has none."""
-    if hasattr(cloud, "to_geometry") and hasattr(cloud, "geometry"):  # trimesh.Scene
-        cloud = cloud.to_geometry()
+    if hasattr(cloud, "geometry"):  # trimesh.Scene
+        if hasattr(cloud, "to_geometry"):
+            cloud = cloud.to_geometry()
+        elif hasattr(cloud, "dump"):  # of old versions
+            cloud = cloud.dump(concatenate=True)
     mesh = _corners_and_faces(cloud)
     if mesh is not None:
         return sampled(numbers_of(mesh[0], name),

@@ -3,9 +3,14 @@
 with all that the library keeps of it."""
 from __future__ import annotations
 
+import contextlib
+import errno
 import importlib
+import itertools
 import os
-from typing import Any, Dict, List, Tuple, Type
+import re
+import tempfile
+from typing import Any, Dict, Iterator, List, Tuple, Type
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,15 +51,17 @@ class File:
 
 
 def _unit_length(vectors: Doubles) -> bool:
-    """Whether they are normals: nothing else has unit length in every row."""
+    """Whether they are normals: nothing else has unit length in every row where it is known,
+    and neither zeros nor NaN are."""
     lengths = np.linalg.norm(vectors, axis=1)
-    is_known = np.isfinite(lengths)
+    is_known = np.isfinite(lengths) & (lengths > 0.0)
     return bool(is_known.any() and np.all(np.abs(lengths[is_known] - 1.0) <= 0.01))
 
 
 class Columns(File):
-    """Rows of numbers, x, y and z first, by numpy. Three that have unit length in every row
-    are normals; the other columns stay."""
+    """Rows of numbers, x, y and z first, by numpy. Three that have unit length in every row,
+    unknown ones aside, are normals; the other columns stay. What is written are doubles: at
+    the place of the target single precision may have too few digits."""
 
     def _hold(self, path: str, rows: Any) -> None:
         if rows.ndim != 2 or rows.shape[1] < 3 or rows.dtype.kind not in "fiu":
@@ -67,8 +74,7 @@ class Columns(File):
         return self._rows[:, :6 if self._has_normals else 3]
 
     def _turned(self, result: Result) -> Any:
-        kind = self._rows.dtype if self._rows.dtype.kind == "f" else np.dtype(np.float64)
-        rows = self._rows.astype(kind)
+        rows = self._rows.astype(np.result_type(self._rows.dtype, np.float64))
         turned = result @ self.cloud()
         rows[:, :turned.shape[1]] = turned
         return rows
@@ -81,27 +87,36 @@ class ArrayFile(Columns):
         self._hold(path, np.load(path, allow_pickle=False))
 
     def write(self, path: str, result: Result) -> None:
-        np.save(path, self._turned(result))
+        with open(path, "wb") as file:  # np.save() itself would add to other names, as .NPY
+            np.save(file, self._turned(result))
+
+
+def _has_number(line: str) -> bool:
+    """Whether a line, comments aside, says a number."""
+    for field in re.split(r"[\s,]+", line.partition("#")[0]):
+        with contextlib.suppress(ValueError):
+            float(field)
+            return True
+    return False
 
 
 class TextFile(Columns):
+    """A first line without any number is a title, and stays."""
+
     extensions = (".txt", ".xyz", ".csv", ".asc")
 
     def __init__(self, path: str) -> None:
-        with open(path, encoding="utf-8") as file:
-            title = file.readline()
-        self._delimiter = "," if "," in title or path.endswith(".csv") else None
-        try:
-            np.array(title.split(self._delimiter), dtype=np.float64)
-            self._title = ""
-        except ValueError:
-            self._title = title.rstrip("\n")
+        with open(path, encoding="utf-8-sig") as file:
+            first = file.readline()
+            row = next(filter(_has_number, itertools.chain([first], file)), "")
+        self._title = "" if _has_number(first) else first.rstrip("\n")
+        self._delimiter = "," if "," in row.partition("#")[0] else None
         self._hold(path, np.loadtxt(path, delimiter=self._delimiter, ndmin=2,
-                                    skiprows=1 if self._title else 0))
+                                    skiprows=1 if self._title else 0, encoding="utf-8-sig"))
 
     def write(self, path: str, result: Result) -> None:
         np.savetxt(path, self._turned(result), fmt="%.17g", header=self._title, comments="",
-                   delimiter=self._delimiter or " ")
+                   delimiter=self._delimiter or " ", encoding="utf-8")
 
 
 class LasFile(File):
@@ -132,8 +147,8 @@ class LasFile(File):
             reach = np.abs(places - offsets).max(axis=0) / scales
             new = np.where(reach < 2**31 - 1, offsets, np.round(middle))
             if np.any(np.abs(places - new).max(axis=0) / scales >= 2**31 - 1):
-                raise FileError(f"{path}: the points lie too far apart for coordinates in "
-                                f"steps of {scales.min():g}")
+                raise ValueError("the points lie too far apart for coordinates in steps of "
+                                 f"{scales.min():g}")
             self._las.change_scaling(offsets=new)
         self._las.x, self._las.y, self._las.z = places.T
         for name, values in zip(self._normals, turned[:, 3:].T):
@@ -240,7 +255,10 @@ class MeshFile(File):
     def write(self, path: str, result: Result) -> None:
         turned = self._held.copy()
         turned.apply_transform(result.transformation)
-        turned.export(path)
+        stem, extension = os.path.splitext(os.path.basename(path))
+        # trimesh's own name for it would be that of every mesh in the folder
+        materials = {"mtl_name": f"{stem}.mtl"} if extension.lower() == ".obj" else {}
+        turned.export(path, **materials)
 
 
 KINDS: Tuple[Type[File], ...] = (ArrayFile, TextFile, LasFile, E57File, MeshFile)
@@ -256,14 +274,23 @@ def kind_of(path: str) -> Type[File]:
     raise FileError(f"{path}: no such format is known; there are {known}")
 
 
-def read(path: str) -> File:
-    """Read a file; whatever its library has to say about it is said with its name."""
+@contextlib.contextmanager
+def _named(path: str) -> Iterator[None]:
+    """Whatever a library has to say about a file is said with the file's name."""
     try:
-        return kind_of(path)(path)
-    except (FileError, MemoryError, KeyboardInterrupt):
+        yield
+    except (FileError, MemoryError):
         raise
     except Exception as error:
-        raise FileError(f"{path}: {error}") from error
+        # one of the system's names a file by itself, perhaps a temporary one
+        said = (error.strerror if isinstance(error, OSError) else None) or error
+        raise FileError(f"{path}: {said}") from error
+
+
+def read(path: str) -> File:
+    """Read a file."""
+    with _named(path):
+        return kind_of(path)(path)
 
 
 def check_format(source: str, out: str) -> None:
@@ -274,18 +301,20 @@ def check_format(source: str, out: str) -> None:
                         f"{' or '.join(kind.extensions)}")
 
 
-def write(file: File, path: str, result: Result) -> None:
-    """Write a file, all of it or nothing."""
-    stem, extension = os.path.splitext(path)
-    part = f"{stem}.part{extension}"
-    try:
-        file.write(part, result)
-        os.replace(part, path)
-    except (MemoryError, KeyboardInterrupt):
-        raise
-    except Exception as error:
-        said = error if isinstance(error, FileError) else f"{path}: {error}"
-        raise FileError(str(said)) from error
-    finally:
-        if os.path.exists(part):
-            os.remove(part)
+@contextlib.contextmanager
+def written(path: str) -> Iterator[str]:
+    """A name to write a file by: it takes its place when all of it has been written, or not
+    at all. What is no file, as a pipe, is written as it is."""
+    with _named(path):
+        if os.path.exists(path) and not os.path.isfile(path):
+            yield path
+            return
+        if os.path.exists(path) and not os.access(path, os.W_OK):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        # the file that a link leads to is replaced, not the link
+        folder, name = os.path.split(os.path.realpath(path))
+        with tempfile.TemporaryDirectory(prefix=".pcl_kss_icp.", dir=folder) as part:
+            yield os.path.join(part, name)
+            beside = set(os.listdir(part)) - {name}  # as the materials of .obj
+            for each in (*beside, name):
+                os.replace(os.path.join(part, each), os.path.join(folder, each))

@@ -2,6 +2,7 @@
 """Registration of two clouds."""
 from __future__ import annotations
 
+import operator
 import warnings
 from types import MappingProxyType
 from typing import Any, Callable, Dict, Mapping, NamedTuple, Optional, Tuple, Union
@@ -26,6 +27,17 @@ class Setting(NamedTuple):
 SETTINGS: Mapping[str, Setting] = MappingProxyType(
     {row[0]: Setting(*row[1:]) for row in _core.settings_table()})
 """All settings by name, as the command line tool and the C++ library have them."""
+
+
+def _whole(name: str, value: Any, unit: str) -> int:
+    """A whole number of something, at least one."""
+    try:
+        number = 0 if isinstance(value, bool) else operator.index(value)
+    except TypeError:
+        number = 0
+    if not 1 <= number < 2**31:
+        raise ValueError(f"{name} {value!r}: use a whole number, at least 1 {unit}.")
+    return number
 
 
 def _settings(rigid: bool, scale_range: Optional[Tuple[float, float]],
@@ -60,14 +72,11 @@ class Registration:
                  confidence: Optional[float] = None, device: str = "auto",
                  threads: int = 0, time_limit: float = 0.0, max_iterations: int = 300,
                  **settings: Value) -> None:
-        if (isinstance(max_iterations, bool) or not hasattr(max_iterations, "__index__")
-                or not 1 <= max_iterations < 2**31):
-            raise ValueError(f"max_iterations {max_iterations!r}: use a whole number, at "
-                             "least 1 iterations.")
+        iterations = _whole("max_iterations", max_iterations, "iterations")
         others = {"mode": mode, "device": device, "threads": threads,
                   "time_limit": time_limit, **settings}
         named = _settings(rigid, scale_range, confidence, others)
-        self._core = _core.Registration(named, int(max_iterations))
+        self._core = _core.Registration(named, iterations)
 
     def align(self, source: Any, target: Any, *, guess: Any = None,
               source_normals: Any = None, target_normals: Any = None, samples: int = 10000,
@@ -80,22 +89,23 @@ class Registration:
                target_normals: Any, samples: int, progress: Optional[Progress]) -> Result:
         """What align() and register() call, so that warnings name the line that has called
         them."""
-        if samples < 1:
-            raise ValueError(f"samples {samples!r}: use a whole number, at least 1 points.")
-        clouds = (*cloud_of(source, source_normals, "source", samples),
-                  *cloud_of(target, target_normals, "target", samples))
-        if guess is not None:
-            guess = numbers_of(guess, "guess")
-            if guess.shape != (4, 4):
-                raise ValueError("guess: 4 x 4 numbers are needed, not an array of shape "
-                                 f"{guess.shape}.")
+        samples = _whole("samples", samples, "points")
         if progress is not None and not callable(progress):
             raise TypeError("progress is to be called with a stage and the share of it that "
                             f"is done, which {progress!r} cannot be.")
-        values = self._core.align(*clouds, guess, progress)
-        for warning in _core.take_warnings():
-            warnings.warn(warning, RuntimeWarning, stacklevel=3)
-        return result_of(values)
+        with self._core:
+            clouds = (*cloud_of(source, source_normals, "source", samples),
+                      *cloud_of(target, target_normals, "target", samples))
+            if guess is not None:
+                guess = numbers_of(guess, "guess")
+                if guess.shape != (4, 4):
+                    raise ValueError("guess: 4 x 4 numbers are needed, not an array of shape "
+                                     f"{guess.shape}.")
+            try:
+                return result_of(self._core.align(*clouds, guess, progress))
+            finally:  # whatever it has come to: the next one is not to tell of it
+                for warning in _core.take_warnings():
+                    warnings.warn(warning, RuntimeWarning, stacklevel=3)
 
     def cancel(self) -> None:
         """End the align() that is running, from another thread: it returns the best pose so

@@ -93,12 +93,13 @@ class Result(_Frozen):
     covariance: Optional[Matrix]
     """6 x 6: of the rotation about the axes (radians) and of the place of the source's
     centroid (units of the target); 7 x 7 where the scale has been estimated: of its
-    logarithm, too. None where it is not known."""
+    logarithm, too. None where it is not known. With a rotation_axis the rows and columns of
+    the rotations about the other two axes are zero."""
     undetermined: int
     """Directions of the pose that the surfaces leave undetermined, as three for a ball."""
-    mode: str
+    mode: Optional[str]
     """What the clouds show: "global" (both all of the object), "partial" (one is a part of
-    the other), "overlap" (both lack parts), or "scene"."""
+    the other), "overlap" (both lack parts), or "scene"; None where there is no pose."""
     iterations: int
     """Iterations of the result's final ICP."""
     far_points: Tuple[int, int]

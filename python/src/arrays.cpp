@@ -143,7 +143,9 @@ dictOf(const kss::Registered& result)
     dict["covariance"] =
         Eigen::MatrixXd(result.precision.covariance.topLeftCorner(unknowns, unknowns));
   dict["undetermined"] = result.precision.undetermined;
-  dict["mode"] = wordOf(result.mode);
+  dict["mode"] = py::none();
+  if (!result.alternatives.empty())
+    dict["mode"] = wordOf(result.mode);
   dict["iterations"] = result.iterations;
   dict["far_points"] =
       py::make_tuple(result.far_points.source, result.far_points.target);

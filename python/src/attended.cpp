@@ -18,8 +18,11 @@ constexpr std::chrono::milliseconds between_looks(50);
 
 } // namespace
 
-Attended::Attended(py::object progress, std::function<void()> cancel)
+Attended::Attended(py::object progress,
+                   const std::atomic<bool>& cancelled,
+                   std::function<void()> cancel)
 : progress_(std::move(progress))
+, cancelled_(cancelled)
 , cancel_(std::move(cancel))
 {
 }
@@ -58,7 +61,7 @@ Attended::run(const std::function<void()>& work)
     catch (...) {
       raised = std::current_exception();
     }
-    if (raised)
+    if (raised || cancelled_)
       cancel_();
     if (told) {
       const std::lock_guard<std::mutex> lock(mutex_);

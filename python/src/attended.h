@@ -8,6 +8,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -25,9 +26,13 @@ class Attended {
 public:
   /** \param[in] progress of Python's, called with a stage and the share of it that is
    * done; None: nobody is told
-   * \param[in] cancel has the work end soon; asked for again and again until it has
+   * \param[in] cancelled set by anybody who wants the work to end
+   * \param[in] cancel has the work end soon; asked for again and again until it has,
+   * since work that has not begun yet would forget it
    */
-  Attended(pybind11::object progress, std::function<void()> cancel);
+  Attended(pybind11::object progress,
+           const std::atomic<bool>& cancelled,
+           std::function<void()> cancel);
 
   /** \brief Run, the GIL being released as long as nothing of Python's is called.
    *
@@ -49,6 +54,7 @@ private:
   attend(const std::optional<Told>& told) const;
 
   pybind11::object progress_;
+  const std::atomic<bool>& cancelled_;
   std::function<void()> cancel_;
   std::mutex mutex_;
   std::condition_variable changed_;

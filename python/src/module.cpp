@@ -13,9 +13,10 @@
 
 #include <pybind11/stl.h>
 
-#include <memory>
+#include <atomic>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,6 +54,22 @@ public:
     registration_.setMaximumIterations(iterations);
   }
 
+  /** Before Python converts the clouds: from here on cancel() is heeded. */
+  void
+  begin()
+  {
+    if (at_work_.exchange(true))
+      throw std::runtime_error("This Registration is at work; take another one.");
+    cancelled_ = false;
+  }
+
+  /** After align(), or what Python has raised instead. */
+  void
+  end(const py::args&)
+  {
+    at_work_ = false;
+  }
+
   py::dict
   align(const Rows<double>& source,
         const Rows<float>& source_normals,
@@ -61,16 +78,13 @@ public:
         const std::optional<Rows<double>>& guess,
         const py::object& progress)
   {
-    const std::unique_lock<std::mutex> lock(busy_, std::try_to_lock);
-    if (!lock)
-      throw std::runtime_error("This Registration is at work; take another one.");
     const kss::Cloud from = cloudOf(source, source_normals);
     const kss::Cloud to = cloudOf(target, target_normals);
     std::optional<kss::StoredPose> start;
     if (guess)
       start = poseOf(*guess);
     kss::Registered result;
-    Attended attended(progress, [this] { registration_.cancel(); });
+    Attended attended(progress, cancelled_, [this] { registration_.cancel(); });
     attended_ = &attended;
     attended.run([&] { result = registration_.align(from, to, start); });
     return dictOf(result);
@@ -79,6 +93,7 @@ public:
   void
   cancel()
   {
+    cancelled_ = true;
     registration_.cancel();
   }
 
@@ -94,7 +109,8 @@ private:
 
   kss::CloudRegistration registration_;
   Attended* attended_ = nullptr; ///< that of the align() that is running
-  std::mutex busy_;
+  std::atomic<bool> at_work_{false};
+  std::atomic<bool> cancelled_{false}; ///< since begin()
 };
 
 } // namespace
@@ -111,6 +127,8 @@ PYBIND11_MODULE(_core, module)
              py::call_guard<py::gil_scoped_release>());
   py::class_<Registration>(module, "Registration")
       .def(py::init<const py::dict&, int>(), py::arg("settings"), py::arg("iterations"))
+      .def("__enter__", &Registration::begin)
+      .def("__exit__", &Registration::end)
       .def("align", &Registration::align, py::arg("source"), py::arg("source_normals"),
            py::arg("target"), py::arg("target_normals"), py::arg("guess"),
            py::arg("progress"))

@@ -18,6 +18,13 @@ namespace py = pybind11;
 namespace kss = pcl::kss;
 namespace setting = pcl::kss::setting;
 
+/** UTF-8, lone surrogates as escapes: there is no UTF-8 of those. */
+std::string
+escaped(const py::str& text)
+{
+  return py::bytes(text.attr("encode")("utf-8", "backslashreplace"));
+}
+
 /** Python's own switches, and numpy's, which are no numbers. */
 bool
 isSwitch(py::handle value)
@@ -66,18 +73,23 @@ take(py::handle given, const setting::Flag&, bool& value)
 bool
 take(py::handle given, const setting::Text&, std::string& value)
 {
-  if (PyUnicode_Check(given.ptr()))
-    value = given.cast<std::string>();
-  return PyUnicode_Check(given.ptr());
+  Py_ssize_t size = 0;
+  const char* const text = PyUnicode_Check(given.ptr())
+                               ? PyUnicode_AsUTF8AndSize(given.ptr(), &size)
+                               : nullptr;
+  PyErr_Clear();
+  if (text)
+    value.assign(text, static_cast<std::size_t>(size));
+  return text != nullptr;
 }
 
 template <typename Value, int size>
 bool
 take(py::handle given, const setting::Choice<Value, size>& row, Value& value)
 {
-  if (!PyUnicode_Check(given.ptr()))
+  std::string asked;
+  if (!take(given, setting::Text(), asked))
     return false;
-  const auto asked = given.cast<std::string>();
   for (const setting::Word<Value>& word : row.words)
     if (asked == word.word) {
       value = word.value;
@@ -144,15 +156,15 @@ settingsOf(const py::dict& given)
 {
   kss::Settings settings;
   for (const auto& [key, value] : given) {
-    const auto name = key.cast<std::string>();
+    const std::string name = escaped(py::str(key));
     bool is_known = false;
     setting::forEach([&, given_value = py::handle(value)](const auto& row) {
       if (name != row.name)
         return;
       is_known = true;
       if (!take(given_value, row, settings.*row.member))
-        throw py::value_error(name + ' ' + py::repr(given_value).cast<std::string>() +
-                              ": " + remedyOf(row) + '.');
+        throw py::value_error(name + ' ' + escaped(py::repr(given_value)) + ": " +
+                              remedyOf(row) + '.');
     });
     if (!is_known)
       refuseName(name);

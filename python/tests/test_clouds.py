@@ -42,11 +42,26 @@ def test_integers_are_numbers():
     (None, "source: an array of real numbers is needed"),
     ([[1, 2, 3], [1, 2]], "source: an array of real numbers is needed"),
     (np.zeros((3, 3), dtype=complex), "source: an array of real numbers is needed"),
-    (object(), "source: an array of real numbers is needed")])
+    (object(), "source: an array of real numbers is needed"),
+    (np.full((3, 3), "1"), "source: an array of real numbers is needed"),
+    (np.full((3, 3), "1", dtype=object), "elements of type str"),
+    (np.full((3, 3), True, dtype=object), "elements of type bool")])
 def test_wrong_shapes_are_named(pair, wrong, words):
     with pytest.raises(ValueError) as raised:
         pcl_kss_icp.register(wrong, pair.target)
     assert words in str(raised.value) and "\n" not in str(raised.value)
+
+
+def test_what_is_masked_is_left_out(pair):
+    for kind in np.float32, np.int16:
+        rows = np.ma.masked_equal(np.arange(12, dtype=kind).reshape(4, 3), 7)
+        points, _ = cloud_of(rows, None, "source", SAMPLES)
+        assert type(points) is np.ndarray
+        assert np.isnan(points[2, 1]) and np.isfinite(points).sum() == 11
+    far = np.ma.masked_greater(np.vstack([pair.source, [[1e9, 0, 0]]]), 1e6)
+    assert pcl_kss_icp.register(far, pair.target).far_points == (0, 0)
+    masked = np.ma.array(pair.source, mask=True)
+    assert pcl_kss_icp.register(masked, pair.target).cause == "input"
 
 
 def test_normals_need_as_many_as_points(pair):
@@ -101,6 +116,16 @@ def test_open3d_clouds():
     assert np.array_equal(cloud_of(tensors, None, "source", SAMPLES)[1], rows[::-1])
 
 
+class GradientTensor(Tensor):
+    def numpy(self):
+        raise RuntimeError("Can't call numpy() on Tensor that requires grad.")
+
+
+def test_tensors_that_give_no_array_are_named(pair):
+    with pytest.raises(ValueError, match="target: an array of real .* requires grad"):
+        pcl_kss_icp.register(pair.source, GradientTensor(pair.target))
+
+
 def test_trimesh_clouds():
     rows = np.arange(12.0).reshape(4, 3)
     assert np.array_equal(cloud_of(SimpleNamespace(vertices=rows), None, "source", SAMPLES)[0],
@@ -119,6 +144,15 @@ def test_meshes_are_sampled():
         assert points.shape == normals.shape == (SAMPLES, 3)
         assert np.array_equal(points, expected[0])
         assert np.allclose(normals, expected[1], atol=1e-7)
+
+
+def test_scenes_of_all_versions():
+    corners, faces = tetrahedron()
+    mesh = SimpleNamespace(vertices=corners, faces=faces)
+    expected, _ = cloud_of(mesh, None, "source", SAMPLES)
+    for scene in (SimpleNamespace(geometry={"it": mesh}, to_geometry=lambda: mesh),
+                  SimpleNamespace(geometry={"it": mesh}, dump=lambda concatenate: mesh)):
+        assert np.array_equal(cloud_of(scene, None, "source", SAMPLES)[0], expected)
 
 
 def test_real_trimesh(pair):

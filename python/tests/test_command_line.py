@@ -1,19 +1,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """python -m pcl_kss_icp on files of all kinds that have their library here."""
+import errno
 import json
+import os
+import stat
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import pcl_kss_icp
 from conftest import Pair, degrees_between
+from pcl_kss_icp import __main__ as command_line
 from pcl_kss_icp.__main__ import main
+from pcl_kss_icp._files import FileError, read, written
 
 
 def run(*arguments):
-    return subprocess.run([sys.executable, "-m", "pcl_kss_icp", *map(str, arguments)],
+    return subprocess.run([sys.executable, "-m", "pcl_kss_icp", *map(os.fspath, arguments)],
                           capture_output=True, text=True)
 
 
@@ -70,6 +76,8 @@ def test_exit_codes_and_messages(files, small):
             ((files / "a.npy", files / "b.npy", "--set", "points"), "there are mode"),
             ((files / "a.npy", files / "b.npy", "--device", "none such"), "none such"),
             ((files / "a.npy", files / "b.npy", "--guess", files / "a.npy"), "a.npy"),
+            ((files / "a.npy", files / "b.npy", "--confidence", "2"), "0 to 1"),
+            ((files / "a.npy", files / "b.npy", "--device", b"\xff"), "device '"),
             ((files / "a.npy",), "needs SOURCE and TARGET"),
             ((files / "a.npy", files / "b.npy", "--foo"), "--foo")]:
         done = run(*arguments)
@@ -120,9 +128,123 @@ def test_normals_are_turned(files, small):
                "--transform", files / "t.txt")
     assert done.returncode == 0, done.stderr
     rows = np.load(files / "c.npy")
-    assert rows.dtype == np.float32
     rotation = np.loadtxt(files / "t.txt")[:3, :3]
     assert np.allclose(rows[:, 3:], normals @ rotation.T, atol=1e-5)
+    # unknown ones, too
+    rows = np.load(files / "a.npy")
+    rows[7, 3:], rows[8, 3:] = 0.0, np.nan
+    np.save(files / "a.npy", rows)
+    done = run(files / "a.npy", files / "b.npy", "--rigid", "--out", files / "c.npy")
+    assert done.returncode == 0, done.stderr
+    known = np.delete(np.load(files / "c.npy"), [7, 8], axis=0)[:, 3:]
+    assert np.allclose(known, np.delete(normals, [7, 8], axis=0) @ rotation.T, atol=1e-3)
+
+
+@pytest.mark.parametrize("kind", [np.float16, np.float32])
+def test_what_is_written_is_exact_far_away(files, small, kind):
+    there = np.array([691000.0, 5335000.0, 500.0])
+    np.save(files / "a.npy", small.source.astype(kind))
+    np.save(files / "b.npy", small.target + there)
+    done = run(files / "a.npy", files / "b.npy", "--rigid", "--out", files / "c.npy",
+               "--transform", files / "t.txt")
+    assert done.returncode == 0, done.stderr
+    pose = np.loadtxt(files / "t.txt")
+    placed = np.load(files / "a.npy").astype(float) @ pose[:3, :3].T + pose[:3, 3]
+    assert np.allclose(np.load(files / "c.npy"), placed, rtol=0, atol=1e-8)
+
+
+@pytest.mark.parametrize("before, delimiter, after", [
+    ("", " ", ""), ("\ufeff", " ", ""), ("", " ", " # first"),
+    ("# of a scan, turned\n", " ", ""), ("\ufeffx,y,z\n", ",", ""), ("\u00b5m\n\n", ",", ""), ("\n", " ", "")])
+def test_text_keeps_its_first_point(files, small, before, delimiter, after):
+    first, *others = [delimiter.join(map(repr, row)) for row in small.source.tolist()]
+    text = before + "\n".join([first + after, *others])
+    (files / "a.txt").write_text(text, encoding="utf-8")
+    done = run(files / "a.txt", files / "b.npy", "--rigid", "--out", files / "c.txt",
+               "--transform", files / "t.txt")
+    assert done.returncode == 0, done.stderr
+    title = before.strip("\ufeff").split("\n")[0]
+    text = (files / "c.txt").read_text(encoding="utf-8")
+    assert text.startswith(f"{title}\n") if title else text[0] in "-0123456789"
+    pose = np.loadtxt(files / "t.txt")
+    rows = np.loadtxt(text.splitlines()[1 if title else 0:],
+                      delimiter=delimiter.strip() or None)
+    assert np.allclose(rows, small.source @ pose[:3, :3].T + pose[:3, 3], atol=1e-9)
+
+
+def test_first_lines_that_are_neither_title_nor_row_are_refused(files, small):
+    np.savetxt(files / "a.txt", small.source, header="1500 points", comments="")
+    done = run(files / "a.txt", files / "b.npy")
+    assert done.returncode == 2 and done.stderr.startswith(f"pcl_kss_icp: {files / 'a.txt'}: ")
+
+
+def test_files_take_their_place_at_once(files, small):
+    (files / "c.part.npy").write_text("the user's")
+    (files / "real.txt").write_text("before")
+    (files / "t.txt").symlink_to("real.txt")
+    outputs = ("--out", files / "c.NPY", "--transform", files / "t.txt", "--report",
+               files / "r.json")
+    assert run(files / "a.npy", files / "b.npy", "--rigid", *outputs).returncode == 0
+    assert (files / "c.part.npy").read_text() == "the user's"
+    assert sorted(os.listdir(files)) == ["a.npy", "b.npy", "c.NPY", "c.part.npy", "r.json",
+                                         "real.txt", "t.txt"]
+    assert (files / "t.txt").is_symlink() and np.loadtxt(files / "real.txt").shape == (4, 4)
+    (files / "new").touch()
+    assert {stat.S_IMODE((files / name).stat().st_mode) for name in (
+        "c.NPY", "r.json", "real.txt")} == {stat.S_IMODE((files / "new").stat().st_mode)}
+    # what is no file is written to
+    done = run(files / "a.npy", files / "b.npy", "--quiet", "--transform", "/dev/stdout")
+    assert (done.returncode, len(done.stdout.split())) == (0, 16)
+
+
+def test_what_cannot_be_written_changes_nothing(files):
+    path = files / "x.txt"
+    path.write_text("before")
+    with pytest.raises(FileError, match="x.txt: No space left on device$"):
+        with written(str(path)) as part:
+            with open(part, "w") as file:
+                file.write("half")
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), part)
+    assert path.read_text() == "before" and "x.txt" in os.listdir(files)
+    assert len(os.listdir(files)) == 3
+    with pytest.raises(FileError, match="Is a directory"):
+        with written(str(files)) as part, open(part, "w"):
+            pass
+
+
+def test_options(files, capsys):
+    seen = {}
+
+    def register(*_, **settings):
+        seen.update(settings)
+        raise RuntimeError("of a driver\n")
+
+    def settings_of(*options):
+        seen.clear()
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(command_line, "register", register)
+            assert main([*options, str(files / "a.npy"), str(files / "b.npy")]) == 2
+        # not 1, which would say that the clouds do not fit
+        assert capsys.readouterr().err == "pcl_kss_icp: RuntimeError: of a driver \n"
+        return {key: value for key, value in seen.items()
+                if (key, value) not in {"guess": None, "samples": 10000,
+                                        "max_iterations": 300}.items()}
+
+    assert settings_of() == {}
+    assert settings_of("--confidence", "0") == {"confidence": 0.0}
+    assert settings_of("--time-limit", "0", "--rigid") == {"time_limit": 0.0, "rigid": True}
+    assert settings_of("--upright", "--quiet") == {"rotation_axis": "z"}
+    assert settings_of("--upright", "y") == {"rotation_axis": "y"}
+    for name in "--max-iterations", "--iterations":
+        assert settings_of(name, "7") == {"max_iterations": 7}
+    assert "--iterations" not in run("--help").stdout.split()
+
+
+def test_options_may_stand_anywhere(files):
+    for options in (["--rigid", files / "a.npy", "--quiet", files / "b.npy"],
+                    [files / "a.npy", files / "b.npy", "--quiet", "--upright"]):
+        done = run(*options)
+        assert done.returncode < 2 and "usage" not in done.stderr, done.stderr
 
 
 def las_of(laspy, points, path, offsets):
@@ -225,6 +347,22 @@ def test_meshes_by_trimesh(files, extension):
     assert len(whole.faces) == len(mesh.faces)
     expected = mesh.copy().apply_transform(pose)
     assert np.allclose(whole.bounds, expected.bounds, atol=1e-4)
+
+
+def test_materials_have_the_name_of_their_mesh(files):
+    trimesh = pytest.importorskip("trimesh")
+    pytest.importorskip("PIL")  # which trimesh needs for them
+    (files / "a.mtl").write_text("newmtl red\nKd 1 0 0\n")
+    (files / "a.obj").write_text(
+        "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl red\n"
+        "f 1/1 2/2 3/3\n")
+    (files / "material.mtl").write_text("the user's")
+    with written(str(files / "c.obj")) as part:
+        read(str(files / "a.obj")).write(part, SimpleNamespace(transformation=np.eye(4)))
+    assert (files / "material.mtl").read_text() == "the user's"
+    assert "mtllib c.mtl" in (files / "c.obj").read_text()
+    colours = trimesh.load(files / "c.obj").visual.material.diffuse
+    assert np.array_equal(colours[:3], [255, 0, 0])
 
 
 def test_points_by_trimesh_keep_colours(files, small):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pcl_kss_icp
-from conftest import Pair, bumpy_ball
+from conftest import Pair, bumpy_ball, degrees_between, pose_of
 
 
 @pytest.fixture(scope="module")
@@ -98,6 +98,16 @@ def test_rigid_keeps_the_scale(rigid_pair):
     assert rigid_pair.degrees_off(result) < 0.1
 
 
+def test_rotation_axis(rigid_pair):
+    turn = pose_of(np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]]), 1.0, (1, 2, 3))
+    upright = bumpy_ball(4000, 2) @ turn[:3, :3].T + turn[:3, 3]
+    result = pcl_kss_icp.register(rigid_pair.source, upright, rigid=True, rotation_axis="z")
+    assert result and degrees_between(result.transformation, turn) < 0.1
+    assert np.allclose(result.transformation[2, :3], [0, 0, 1], rtol=0, atol=1e-12)
+    assert not result.covariance[:2].any() and not result.covariance[:, :2].any()
+    assert np.all(np.diag(result.covariance)[2:] > 0)
+
+
 def test_parts(rigid_pair):
     cut = rigid_pair.source[rigid_pair.source[:, 0] > -0.3]
     result = pcl_kss_icp.register(cut, rigid_pair.target, rigid=True)
@@ -132,6 +142,7 @@ def test_failures_say_why(pair):
     assert result.reason.startswith("The target cloud determines no pose")
     assert result.alternatives == () and result.overlap == (0.0, 0.0)
     assert result.covariance is None
+    assert result.mode is None
     assert np.array_equal(result.transformation, np.eye(4))
     mirrored = pcl_kss_icp.register(pair.source * [-1, 1, 1], pair.target)
     assert mirrored.cause == "no_fit" and "mirror image" in mirrored.reason
@@ -183,15 +194,22 @@ def test_settings_are_those_of_the_table(pair):
             ({"time_limit": "long"}, "time_limit 'long': use a number"),
             ({"clean": 3}, "clean 3: use True or False"),
             ({"device": 3}, "device 3: use auto, host or a device's name"),
+            ({"device": "\udcff"}, r"device '\udcff': use auto, host or a device's name"),
+            ({"mode": "\udcff"}, r"mode '\udcff': use auto"),
             ({"scale_range": (2, 1)}, "use a smallest of at least 0"),
             ({"scale_range": 2}, "scale_range 2: use the smallest and the largest"),
             ({"max_iterations": 0}, "max_iterations 0"),
-            ({"samples": 0}, "samples 0")]:
+            ({"max_iterations": 1.5}, "max_iterations 1.5"),
+            ({"max_iterations": True}, "max_iterations True"),
+            ({"samples": 0}, "samples 0"),
+            ({"samples": 1.5}, "samples 1.5: use a whole number, at least 1 points")]:
         with pytest.raises(ValueError) as raised:
             pcl_kss_icp.register(pair.source, pair.target, **wrong)
         assert words in str(raised.value)
     with pytest.raises(TypeError, match="no setting 'treads'; there are mode"):
         pcl_kss_icp.register(pair.source, pair.target, treads=2)
+    with pytest.raises(TypeError, match=r"no setting '\\udcff'; there are mode"):
+        pcl_kss_icp.register(pair.source, pair.target, **{"\udcff": 2})
     with pytest.raises(ValueError, match="estimate_scale is set twice"):
         pcl_kss_icp.register(pair.source, pair.target, rigid=True, estimate_scale=True)
 

@@ -14,6 +14,7 @@ import pytest
 
 import pcl_kss_icp
 from conftest import Pair
+from pcl_kss_icp import _core
 
 # takes many seconds
 LONG = {"even_rotations": 100000, "search_points": 128, "threads": 1, "device": "host",
@@ -62,6 +63,28 @@ def test_cancel_from_another_thread(pair):
     result = kept.align(pair.source, pair.target)
     assert time.monotonic() - start < 1.5
     assert not result and result.cause == "stopped" and "cancelled" in result.reason
+
+
+def test_cancel_while_clouds_are_converted(pair):
+    class Cancelling:
+        def __init__(self, registration):
+            self.registration = registration
+
+        def __array__(self, *_, **__):
+            self.registration.cancel()
+            return pair.source
+
+    kept = pcl_kss_icp.Registration(**LONG)
+    start = time.monotonic()
+    result = kept.align(Cancelling(kept), pair.target)
+    assert time.monotonic() - start < 1.5
+    assert result.cause == "stopped" and "cancelled" in result.reason
+    # the next one is not affected
+    quick = pcl_kss_icp.Registration()
+    with pytest.raises(ValueError, match="target: N x 3"):
+        quick.align(Cancelling(quick), np.zeros(3))
+    quick.cancel()
+    assert quick.align(pair.source, pair.target)
 
 
 def test_other_threads_run_meanwhile(pair):
@@ -169,6 +192,18 @@ def test_handlers_of_the_program_run_meanwhile(pair):
     finally:
         signal.signal(signal.SIGUSR1, before)
     assert len(seen) == 1 and ended - seen[0] > 0.4
+
+
+def test_what_ends_with_an_exception_has_warned(pair, monkeypatch):
+    told = ["it goes on the host"]
+    monkeypatch.setattr(_core, "take_warnings", lambda: [told.pop()] if told else [])
+
+    def progress(stage, share):
+        raise KeyError(stage)
+
+    with pytest.warns(RuntimeWarning, match="on the host"), pytest.raises(KeyError):
+        pcl_kss_icp.register(pair.source, pair.target, progress=progress)
+    assert told == []
 
 
 WARNED = textwrap.dedent("""
