@@ -50,7 +50,7 @@ groupsOfOptions()
      "well the nearest to it is taken");
   settings.add_options()
     ("samples", word("N"), "points that stand for a mesh (default 10000)")
-    ("iterations", word("N"), "iterations of the final ICP at most (default 300)");
+    ("max-iterations", word("N"), "iterations of the final ICP at most (default 300)");
   others.add_options()
     ("view", "show the clouds and the poses in a window, also if not registered")
     ("list-devices", "list the OpenCL devices, and mark those that would be used")
@@ -125,6 +125,8 @@ wordsOf(int argc, const char* const* argv)
   std::vector<std::string> words;
   for (int i = 1; i < argc; ++i) {
     words.push_back(argv[i]);
+    if (words.back().rfind("--iterations", 0) == 0) // as it was called before
+      words.back().replace(0, 2, "--max-");
     if (words.back() == "--scale-range" && i + 2 < argc) {
       words.push_back(std::string(argv[i + 1]) + ' ' + argv[i + 2]);
       i += 2;
@@ -194,8 +196,8 @@ parseOptions(int argc, const char* const* argv)
   ifGiven(values, "samples", [&](const auto& value) {
     options.samples = valueOf(samples_bounds, "samples", value);
   });
-  ifGiven(values, "iterations", [&](const auto& value) {
-    options.iterations = valueOf(iterations_bounds, "iterations", value);
+  ifGiven(values, "max-iterations", [&](const auto& value) {
+    options.iterations = valueOf(iterations_bounds, "max-iterations", value);
   });
   options.quiet = values.count("quiet") > 0;
   return options;

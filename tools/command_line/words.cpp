@@ -100,7 +100,7 @@ whatToTry(const Result& result, const Options& options)
   case pcl::kss::FailureCause::NO_FIT:
     return adviceOnMisfit(result, options);
   case pcl::kss::FailureCause::UNSETTLED:
-    return "Try more --iterations, or --icp-points 0.";
+    return "Try more --max-iterations, or --icp-points 0.";
   case pcl::kss::FailureCause::STOPPED:
     return "Try a longer --time-limit.";
   case pcl::kss::FailureCause::DEVICE:
