@@ -73,6 +73,17 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
+def _with_axes(arguments: List[str]) -> List[str]:
+    """Arguments in which --upright has its axis: what follows it may be a file."""
+    words = list(arguments)
+    for i, word in enumerate(words):
+        if word == "--upright":
+            has_axis = words[i + 1:i + 2] and words[i + 1] in ("any", "x", "y", "z")
+            words[i:i + (2 if has_axis else 1)] = [
+                "--upright=" + (words[i + 1] if has_axis else "z")]
+    return words
+
+
 def _typed(text: str, default: object) -> Any:
     """A value as a setting with that default has it; else the text, which it refuses."""
     if isinstance(default, bool):
@@ -204,7 +215,8 @@ def _register_files(options: argparse.Namespace) -> int:
 
 def main(arguments: Optional[List[str]] = None) -> int:
     parser = _parser()
-    options = parser.parse_intermixed_args(arguments)
+    options = parser.parse_intermixed_args(
+        _with_axes(sys.argv[1:] if arguments is None else arguments))
     if options.target is None and not options.list_devices:
         parser.error("needs SOURCE and TARGET")
     warnings.showwarning = lambda message, *_: _complain(f"warning: {message}")

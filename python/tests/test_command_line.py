@@ -235,6 +235,7 @@ def test_options(files, capsys):
     assert settings_of("--time-limit", "0", "--rigid") == {"time_limit": 0.0, "rigid": True}
     assert settings_of("--upright", "--quiet") == {"rotation_axis": "z"}
     assert settings_of("--upright", "y") == {"rotation_axis": "y"}
+    assert settings_of("--upright") == {"rotation_axis": "z"}  # files follow
     for name in "--max-iterations", "--iterations":
         assert settings_of(name, "7") == {"max_iterations": 7}
     assert "--iterations" not in run("--help").stdout.split()
