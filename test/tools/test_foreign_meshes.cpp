@@ -127,6 +127,22 @@ TEST_F(ForeignMeshes, OFF)
     EXPECT_NE("", refusal("a.off", wrong)) << wrong;
 }
 
+TEST_F(ForeignMeshes, LongWordsAndLines)
+{
+  EXPECT_NE("", refusal("a.off", "OFF" + std::string(1000000, '1') + " 1 0\n"));
+  EXPECT_NE("", refusal("a.off", "ABC\n4 2 0\n" + rows + two_faces));
+  std::string joined = "v 1 2 3 ";
+  for (int i = 0; i < 300000; ++i)
+    joined += "\\\n";
+  EXPECT_EQ(1u, numberOfPoints(read("a.obj", joined + '\n').cloud));
+  std::string elements;
+  for (int i = 0; i < 100000; ++i)
+    elements += "element a" + std::to_string(i) + " 0\n";
+  EXPECT_NE(std::string::npos,
+            refusal("a.ply", ply("ascii") + elements + "end_header\n" + rows)
+                .find("more than can be read"));
+}
+
 TEST_F(ForeignMeshes, STLInText)
 {
   const auto facet = [](const std::string& corners) {

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <regex>
+#include <set>
 #include <stdexcept>
 
 /** \file
@@ -220,14 +220,17 @@ takeKeyword(TextLines& lines)
 {
   if (lines.startsWithNumber())
     return "";
-  static const std::regex start("((ST)?C?N?OFF)([0-9]*)", std::regex::icase);
-  const std::string word = lines.takeWord();
-  std::smatch parts;
-  if (!std::regex_match(word, parts, start) ||
+  static const std::set<std::string_view> kinds{"",   "C",   "N",   "CN",   "NC",
+                                                "ST", "STC", "STN", "STCN", "STNC"};
+  const std::string word = boost::algorithm::to_upper_copy(lines.takeWord());
+  const std::size_t off = word.find("OFF"), end = off + 3;
+  if (off == std::string::npos ||
+      kinds.count(std::string_view(word).substr(0, off)) == 0 ||
+      word.find_first_not_of("0123456789", end) != std::string::npos ||
       boost::algorithm::istarts_with(lines.text(), "BINARY"))
     lines.fail("is no start of an OFF file in text with points of x, y and z");
-  lines.putBack(parts[3]);
-  return boost::algorithm::to_upper_copy(parts[1].str());
+  lines.putBack(word.substr(end));
+  return word.substr(0, end);
 }
 
 } // namespace
@@ -235,7 +238,7 @@ takeKeyword(TextLines& lines)
 Geometry
 readOFF(std::istream& stream)
 {
-  TextLines lines(stream);
+  TextLines lines(stream, TextLines::Style::COMMENTED);
   if (!lines.next())
     failIncomplete();
   const Kind kind(takeKeyword(lines));
