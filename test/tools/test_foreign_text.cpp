@@ -261,9 +261,115 @@ TEST_F(ForeignText, ColumnsOfWordsAreLeftOut)
   for (int i = 0; i < 100000; ++i)
     prose += "three more words\n";
   EXPECT_NE(std::string::npos, refusal("a.txt", prose).find("line 101"));
-  // words among numbers are wrong
+  // words among numbers are wrong in a point, and told of elsewhere
   EXPECT_NE(std::string::npos,
-            refusal("a.csv", "x,y,z,i\n1,2,3,4\n1,2,3,four\n").find("line 3: 'four'"));
+            refusal("a.csv", "x,y,z,i\n1,2,3,4\n1,2,four,4\n").find("line 3: 'four'"));
+  EXPECT_EQ(Names{"column 'i' (line 3: 'P3' is not a number)"},
+            read("a.csv", "x,y,z,i\n1,2,3,4\n1,2,3,P3\n").left_out);
+}
+
+TEST_F(ForeignText, TitlesThatNameFewerColumns)
+{
+  // a column that counts the rows often has no name
+  const std::string rows = "1 1.5 -2.25 3000\n2 4.5 5 -6.125\n";
+  expectPoints(
+      {{"tabs.tsv", "\tx\ty\tz\n0\t1.5\t-2.25\t3000\n1\t4.5\t5\t-6.125\n"},
+       {"r.txt", "x y z\n" + rows},
+       {"frame.txt", "     x     y      z\n0  1.5 -2.25 3000\n1 4.5 5 -6.125\n"},
+       {"r.csv", "\"x\",\"y\",\"z\"\n\"a\",1.5,-2.25,3000\n\"b\",4.5,5,-6.125\n"},
+       {"pandas.csv", ",0,1,2\n0,1.5,-2.25,3000\n1,4.5,5,-6.125\n"},
+       {"names.txt", "x y z\nP1 1.5 -2.25 3000\nP2 4.5 5 -6.125\n"}});
+  EXPECT_EQ(1u, read("a.txt", "x y z\n" + rows).assumed.size());
+  // else they are the first columns, which is told, if they can be
+  const Geometry first = read("a.txt", "x y z\n1.5 2 3 7\n");
+  expectEqual({{1.5, 2, 3}}, positionsOf(first), 0.0);
+  EXPECT_NE(std::string::npos, first.assumed.at(0).find("line 1 names 3 of 4 columns"));
+  for (const std::string content :
+       {"x,y,z\n1,5,2,5,3,5\n", "id,x,y,z\n7,1,2,3,4\n8,2,3,4,5\n", "x,y,z,i\n1,2,3\n"})
+    EXPECT_NE(std::string::npos, refusal("a.csv", content).find("line 1: names "))
+        << content;
+}
+
+TEST_F(ForeignText, NumbersBeforePoints)
+{
+  const std::string file = "7,4.5,5.5,6.5,TREE\n8,1.5,2,3,TREE\n";
+  for (const std::string& content : {file, std::string("0 0 1.5 2 3\n0 1 4 5 6\n")}) {
+    const auto assumed = read("a.txt", content).assumed;
+    ASSERT_EQ(1u, assumed.size()) << content;
+    EXPECT_NE(std::string::npos, assumed[0].find("column 1 looks like numbers"));
+  }
+  EXPECT_EQ(0u, read("a.txt", "0 0 0 1\n0 0 1 2\n1 0 0 3\n").assumed.size()); // voxels
+  EXPECT_EQ(0u, read("a.txt", "id x y z\n1 1.5 2.5 3.5\n2 1 2 3\n").assumed.size());
+  // numbers of columns are no point
+  const Geometry numbered = read("a.csv", "0,1,2\n1.5,2.5,3.5\n");
+  expectEqual({{1.5, 2.5, 3.5}}, positionsOf(numbered), 0.0);
+  EXPECT_EQ(1u, numbered.assumed.size());
+  expectEqual({{0, 1, 2}, {1, 2, 3}}, positionsOf(read("a.csv", "0,1,2\n1,2,3\n")),
+              0.0);
+}
+
+TEST_F(ForeignText, NamesOfTwoKinds)
+{
+  expectEqual({{3, 4, 5}},
+              positionsOf(read("a.csv", "x,y,Easting,Northing,Elevation\n1,2,3,4,5\n")),
+              0.0);
+  expectEqual({{4, 5, 6}},
+              positionsOf(read("a.txt", "v_x v_y v_z x y z\n1 2 3 4 5 6\n")), 0.0);
+  for (const std::string title :
+       {"range azimuth elevation x y", "v_x v_y v_z x y", "a b x_coord y z"})
+    EXPECT_NE("", refusal("a.txt", title + "\n1 2 3 4 5\n")) << title;
+  // what is no title is told of
+  for (const std::string content :
+       {"x1,y1,z1,x2,y2,z2,x3,y3,z3\n1,2,3,4,5,6,7,8,9\n",
+        "# x east y north z up\n1 2 3 10 20 30\n",
+        "# X right, Y up, Z forward\n1 2 3 0 0 1\n", "Church north facade\n1 2 3\n"}) {
+    const Geometry points = read("a.txt", content);
+    expectEqual({{1, 2, 3}}, positionsOf(points), 0.0);
+    EXPECT_EQ(1u, points.assumed.size()) << content;
+  }
+}
+
+TEST_F(ForeignText, MarksOfCommentsInRows)
+{
+  const Geometry coloured =
+      read("a.csv", "id,x,y,z,color,label\n7,1,2,3,#ff0000,5\n8,2,3,4,#00ff00,6\n");
+  expectEqual({{1, 2, 3}, {2, 3, 4}}, positionsOf(coloured), 0.0);
+  EXPECT_EQ(5.0, numberAt(coloured, "label", 0));
+  expectEqual({{1, 2, 3}}, positionsOf(read("a.txt", "name x y z\nP#1 1 2 3 # 4, 5\n")),
+              0.0);
+  for (const std::string rows : {"#1,1,2,3\n2,2,3,4\n", "2,2,3,4\n#1,1,2,3\n"}) {
+    const Geometry marked = read("a.csv", "id,x,y,z\n" + rows);
+    expectEqual({{2, 3, 4}}, positionsOf(marked), 0.0);
+    ASSERT_EQ(1u, marked.assumed.size());
+    EXPECT_NE(std::string::npos, marked.assumed[0].find("starts with #"));
+  }
+}
+
+TEST_F(ForeignText, WhatIsNoRow)
+{
+  expectPoints(
+      {{"names.csv", "P1,1.5,-2.25,3000\nP2,4.5,5,-6.125\n"},
+       {"markers.txt", "#Label,X/East,Y/North,Z/Altitude\npoint 0,1.5,-2.25,3000\n"
+                       "point 1,4.5,5,-6.125\n"},
+       {"german.csv", "X-Koordinate;Y-Koordinate;Z-Koordinate\n1,5;-2,25;3000\n"
+                      "4,5;5;-6,125\n"},
+       {"empty.tsv", "id\tx\ty\tz\n1\t1.5\t-2.25\t3000\n2\t\t\t\n"
+                     "3\t4.5\t5\t-6.125\n"}});
+  for (const std::string content : {"1|2|3\n4|5|6\n", "[1 2 3]\n", "#1,2,3,4\n"})
+    EXPECT_NE(std::string::npos,
+              refusal("a.txt", content).find("line 1 ('" + content.substr(0, 5)))
+        << content;
+}
+
+TEST_F(ForeignText, LongTitlesCostNoTime)
+{
+  std::string line = "a";
+  for (int i = 0; i < 100000; ++i)
+    line += " 1";
+  std::string file;
+  for (int i = 0; i < 50; ++i)
+    file += line + '\n';
+  expectEqual({{1, 2, 3}}, positionsOf(read("a.txt", file + "1 2 3\n")), 0.0);
 }
 
 TEST_F(ForeignText, BlocksWithCounts)

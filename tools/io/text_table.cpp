@@ -51,14 +51,67 @@ holdBytes(const TextTable& table, const std::array<std::size_t, 3>& columns)
   return true;
 }
 
+/** Whether the first column is whole, and no row has less than a step more than the one
+ * before it, or more than one. */
+bool
+firstColumnSteps(const TextTable& table, double least)
+{
+  const auto& values = table.values;
+  if (values.size() < 2 * table.columns || values[0] != std::round(values[0]))
+    return false;
+  for (std::size_t row = table.columns; row < values.size(); row += table.columns) {
+    const double step = values[row] - values[row - table.columns];
+    const bool may_be_gap = table.rows_without_point > 0 && step == std::round(step);
+    if (!(step >= least) || !(step == 0.0 || step == 1.0 || may_be_gap))
+      return false;
+  }
+  return true;
+}
+
+/** Whether some value of a column has a fraction. */
+bool
+hasFractions(const TextTable& table, std::size_t column)
+{
+  for (std::size_t at = column; at < table.values.size(); at += table.columns)
+    if (table.values[at] != std::round(table.values[at]))
+      return true;
+  return false;
+}
+
+/** Leave out a first row of 0, 1, 2, ... above fractions, which numbers the columns. */
+void
+dropNumbersOfColumns(TextTable& table)
+{
+  for (std::size_t i = 0; i < table.columns; ++i)
+    if (table.values[i] != static_cast<double>(i))
+      return;
+  if (!hasFractions(table, 0) || !hasFractions(table, 1) || !hasFractions(table, 2))
+    return;
+  table.values.erase(table.values.begin(), table.values.begin() + table.columns);
+  table.assumed.push_back("the first row (0 1 2 ...) was taken for the numbers of the "
+                          "columns and is left out");
+}
+
+/** Points of maps and scans often have their number, or row, before x. */
+void
+tellOfNumbersOfRows(TextTable& table)
+{
+  if (table.columns > 3 && table.first_position == 0 && firstColumnSteps(table, 0.0) &&
+      (hasFractions(table, 2) || hasFractions(table, 3)))
+    table.assumed.push_back("column 1 looks like numbers of points or rows, but was "
+                            "taken for x; name the columns");
+}
+
 /** Name the columns that the file does not name. */
 void
 nameColumns(TextTable& table, FileFormat format)
 {
-  table.names = {"x", "y", "z"};
-  for (std::size_t i = 3; i < table.columns; ++i)
+  for (std::size_t i = 0; i < table.columns; ++i)
     table.names.push_back("column_" + std::to_string(i + 1));
-  for (std::size_t first = 3; first + 3 <= table.columns; ++first)
+  std::copy_n(VectorField::POSITION.begin(), 3,
+              table.names.begin() + table.first_position);
+  for (std::size_t first = table.first_position + 3; first + 3 <= table.columns;
+       ++first)
     if (holdNormals(table, first)) {
       std::copy_n(VectorField::NORMAL.begin(), 3, table.names.begin() + first);
       return;
@@ -96,6 +149,12 @@ isColour(const std::string& name)
 
 } // namespace
 
+bool
+firstColumnCounts(const TextTable& table)
+{
+  return firstColumnSteps(table, 1.0);
+}
+
 Geometry
 toGeometry(TextTable table, FileFormat format)
 {
@@ -103,8 +162,11 @@ toGeometry(TextTable table, FileFormat format)
   geometry.from_text = true;
   if (table.has_names)
     geometry.header_mark = table.header_mark;
-  else
+  else if (!table.values.empty()) {
+    dropNumbersOfColumns(table);
+    tellOfNumbersOfRows(table);
     nameColumns(table, format);
+  }
   geometry.assumed = std::move(table.assumed);
   if (table.rows_without_point > 0)
     geometry.assumed.push_back(
@@ -127,7 +189,10 @@ toGeometry(TextTable table, FileFormat format)
   std::vector<Place> places;
   for (std::size_t i = 0; i < table.columns; ++i) {
     if (table.kinds[i] == TextTable::Kind::WORDS) {
-      geometry.left_out.push_back("column '" + table.names[i].substr(0, 40) + "'");
+      const auto stray = table.strays.find(i);
+      geometry.left_out.push_back(
+          "column '" + table.names[i].substr(0, 40) + "'" +
+          (stray == table.strays.end() ? "" : " (" + stray->second + ')'));
       continue;
     }
     if (has_colour && isColour(table.names[i])) {
