@@ -4,6 +4,7 @@
  * Columns of text as other programs write them.
  */
 
+#include "io/losses.h"
 #include "tool_files.h"
 
 #include <utility>
@@ -99,6 +100,10 @@ TEST_F(ForeignText, Delimiters)
        {"big.xyz", inUTF16(rows, true, true)},
        {"markless.xyz", inUTF16(rows, false, false)},
        {"markless_big.xyz", inUTF16(rows, true, false)}});
+  std::string umlaut = inUTF16("# Hohe und Breite, gemessen\n1 2 3\n", false, false);
+  umlaut[6] = '\x51';
+  umlaut[7] = '\x01';
+  expectEqual({{1, 2, 3}}, positionsOf(read("a.txt", umlaut)), 0.0);
   EXPECT_NE(std::string::npos,
             refusal("a.txt", std::string("\xFF\xFE\0\0001\0\0\0", 8)).find("UTF-32"));
   EXPECT_NE(std::string::npos,
@@ -390,6 +395,28 @@ TEST_F(ForeignText, BlocksWithCounts)
   EXPECT_NE("", refusal("a.pts", "1.5\n1 2 3\n"));
 }
 
+TEST_F(ForeignText, PTSReadsWhatItWrites)
+{
+  // a point and its normal, with intensity, colour, or both
+  for (const std::string row :
+       {"1.5 2 3", "1.5 2 3 7", "1.5 2 3 9 8 7", "1.5 2 3 7 9 8 7", "1.5 2 3 0 0.6 0.8",
+        "1.5 2 3 7 0 0.6 0.8", "1.5 2 3 9 8 7 0 0 1", "1.5 2 3 7 9 8 7 0 0.6 0.8"}) {
+    const std::string file = "1\n" + row + '\n';
+    const Geometry points = read("a.pts", file);
+    EXPECT_EQ(Names{}, lossesOf(points, FileFormat::PTS)) << row;
+    EXPECT_EQ(file, contentOf(write("b.pts", points)));
+    for (const auto& field : points.cloud.fields)
+      EXPECT_NE(0u, field.name.find("column_")) << row;
+  }
+  // what it would not know again is not written, which is told
+  const Geometry other = read("a.txt", "x y z column_4\n1 2 3 9\n");
+  EXPECT_EQ(Names{"field 'column_4'"}, lossesOf(other, FileFormat::PTS));
+  EXPECT_EQ("1\n1 2 3\n", contentOf(write("b.pts", other)));
+  const Geometry longer = read("a.txt", "x y z nx ny nz\n1 2 3 0 0 2\n");
+  EXPECT_EQ(3u, lossesOf(longer, FileFormat::PTS).size());
+  EXPECT_EQ("1\n1 2 3\n", contentOf(write("b.pts", longer)));
+}
+
 TEST_F(ForeignText, ScansOfPTX)
 {
   // a quarter turn about z, as rows that are multiplied from the left
@@ -409,6 +436,10 @@ TEST_F(ForeignText, ScansOfPTX)
     ASSERT_EQ(1u, points.assumed.size());
     EXPECT_NE(std::string::npos, points.assumed[0].find("2 places"));
   }
+  const std::string point = "1 2 3 0.5\n";
+  EXPECT_EQ(
+      Names{"the grids of the scans"},
+      read("a.ptx", "2\n2\n" + identity + point + point + point + point).left_out);
   // points at 0 0 0 are points, too, once they have been placed
   expectEqual({{0, 0, 0}, {4512345.125, 0.5, -3}},
               positionsOf(readGeometry(
@@ -449,6 +480,19 @@ TEST_F(ForeignText, WrittenAsTheFormatHasIt)
     EXPECT_EQ(254, getColour(*findField(again.cloud, "rgb"),
                              &again.cloud.data[again.cloud.point_step])[2]);
   }
+  // names stand above normals that only their names tell
+  const Geometry longer = read("b.txt", "x y z nx ny nz\n1 2 3 0 0 2\n");
+  EXPECT_EQ(1u, normalsOf(readGeometry(write("b.xyz", longer))).size());
+  // whole numbers of 64 bits keep their digits
+  Geometry timed;
+  for (const char* name : {"x", "y", "z"})
+    addField(timed.cloud, name, pcl::PCLPointField::FLOAT64);
+  addField(timed.cloud, "time", pcl::PCLPointField::INT64);
+  setNumberOfPoints(timed.cloud, 1);
+  const std::int64_t time = 1588291200123456789;
+  memcpy(&timed.cloud.data[24], &time, sizeof time);
+  EXPECT_EQ("x,y,z,time\n0,0,0,1588291200123456789\n",
+            contentOf(write("b.csv", timed)));
   EXPECT_EQ(0u, contentOf(path("a.csv")).find("x,y,z,"));
   EXPECT_EQ(0u, contentOf(path("a.xyz")).find("# x y z "));
 }
