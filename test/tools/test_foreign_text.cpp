@@ -309,6 +309,11 @@ TEST_F(ForeignText, NumbersBeforePoints)
   const Geometry numbered = read("a.csv", "0,1,2\n1.5,2.5,3.5\n");
   expectEqual({{1.5, 2.5, 3.5}}, positionsOf(numbered), 0.0);
   EXPECT_EQ(1u, numbered.assumed.size());
+  for (const std::string name : {"b.xyz", "b.pts"}) { // but of the tool they may be one
+    const Geometry points = read("a.csv", "x,y,z\n0,1,2\n1.5,2.5,3.5\n");
+    expectEqual(positionsOf(points), positionsOf(readGeometry(write(name, points))),
+                0.0);
+  }
   expectEqual({{0, 1, 2}, {1, 2, 3}}, positionsOf(read("a.csv", "0,1,2\n1,2,3\n")),
               0.0);
 }

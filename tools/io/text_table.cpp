@@ -167,7 +167,8 @@ toGeometry(TextTable table, FileFormat format)
   if (table.has_names)
     geometry.header_mark = table.header_mark;
   else if (!table.values.empty()) {
-    dropNumbersOfColumns(table);
+    if (format != FileFormat::PTS) // which no program writes from a table
+      dropNumbersOfColumns(table);
     tellOfNumbersOfRows(table);
     nameColumns(table, format);
   }

@@ -39,6 +39,16 @@ addTitles(Row& row, const pcl::PCLPointField& field)
     row.addWord(name);
 }
 
+/** Whether the first row would be taken for the numbers of the columns. */
+bool
+startsWithNumbersOfColumns(const Geometry& geometry)
+{
+  const Points points = positionsOf(geometry);
+  const auto first = std::find_if(points.begin(), points.end(),
+                                  [](const auto& point) { return point.allFinite(); });
+  return first != points.end() && *first == Eigen::Vector3d(0.0, 1.0, 2.0);
+}
+
 /** Whether readers do not know what is in the columns without names: positions come
  * first, and normals of unit length behind them. */
 bool
@@ -51,7 +61,8 @@ needsNames(const Fields& fields, const Geometry& geometry)
           VectorField::NORMAL.begin(), VectorField::NORMAL.end(), fields.begin() + 3,
           [](const char* name, const auto* field) { return field->name == name; });
   return std::any_of(fields.begin() + (has_normals ? 6 : 3), fields.end(), is_named) ||
-         (has_normals && !areNormalsByLength(geometry));
+         (has_normals && !areNormalsByLength(geometry)) ||
+         startsWithNumbersOfColumns(geometry);
 }
 
 /** What marks the line of the names: as in the file that was read, else as a comment.
