@@ -323,6 +323,15 @@ TEST_F(ForeignMeshes, FacesOfManyCorners)
   }
 }
 
+TEST_F(ForeignMeshes, FacesOfFewCorners)
+{
+  const Geometry mesh = read("a.off", "OFF\n4 3 0\n" + rows + "1 0\n2 0 1\n3 0 1 2\n");
+  ASSERT_EQ(3u, mesh.faces.size());
+  EXPECT_NE(std::string::npos,
+            contentOf(write("b.obj", mesh)).find("p 1\nl 1 2\nf 1 2 3\n"));
+  EXPECT_EQ(1u, readGeometry(path("b.obj")).faces.size());
+}
+
 TEST_F(ForeignMeshes, OBJKeepsAllStatements)
 {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";

@@ -84,10 +84,14 @@ writeOBJ(std::ostream& stream, const Geometry& geometry)
       rowOf("vn", normal, &cloud.data[i * cloud.point_step]).writeTo(stream);
   }
   for (const auto& face : geometry.faces) {
-    Row row("f");
+    const std::size_t corners = face.vertices.size();
+    if (corners == 0)
+      continue;
+    const bool is_face = corners > 2; // OBJ has lines and points, too
+    Row row(is_face ? "f" : corners == 2 ? "l" : "p");
     for (const auto vertex : face.vertices) {
       const std::string number = std::to_string(vertex + 1);
-      row.addWord(normal.empty() ? number : number + "//" + number);
+      row.addWord(normal.empty() || !is_face ? number : number + "//" + number);
     }
     row.writeTo(stream);
   }
