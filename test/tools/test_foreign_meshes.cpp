@@ -113,9 +113,20 @@ TEST_F(ForeignMeshes, OFF)
   const Geometry texture = readGeometry(path("again_l.off"));
   EXPECT_EQ(1.0, numberAt(texture, "texture_v", 3));
   EXPECT_EQ(0.5, numberAt(readGeometry(path("again_j.off")), "red", 1));
-  EXPECT_EQ(255.0, numberAt(readGeometry(path("again_i.off")), "alpha", 1));
+  const Geometry bytes = readGeometry(path("again_i.off"));
+  EXPECT_EQ((std::array<std::uint8_t, 4>{255, 0, 0, 255}),
+            getColour(*findField(bytes.cloud, "rgba"), bytes.cloud.data.data()));
   EXPECT_EQ(Names{}, lossesOf(readGeometry(path("i.off")), FileFormat::OFF));
   EXPECT_EQ(1.0, numberAt(readGeometry(path("again_k.off")), "normal_z", 3));
+
+  // normals and colours in any order
+  for (const std::string file :
+       {"CNOFF\n1 0 0\n0 0 0 0 0 1 9 8 7\n", "NCOFF\n1 0 0\n0 0 0 9 8 7 0 0 1\n"}) {
+    const Geometry point = read("a.off", file);
+    EXPECT_EQ(1.0, numberAt(point, "normal_z", 0)) << file;
+    EXPECT_EQ((std::array<std::uint8_t, 4>{9, 8, 7, 0}),
+              getColour(*findField(point.cloud, "rgb"), point.cloud.data.data()));
+  }
 
   EXPECT_NE(
       std::string::npos,
@@ -125,6 +136,22 @@ TEST_F(ForeignMeshes, OFF)
              "OFF BINARY\n", "OFF\n4 2 0 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2",
              "OFF\n4 2 0 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3 1"})
     EXPECT_NE("", refusal("a.off", wrong)) << wrong;
+}
+
+TEST_F(ForeignMeshes, LongWordsAndLines)
+{
+  EXPECT_NE("", refusal("a.off", "OFF" + std::string(1000000, '1') + " 1 0\n"));
+  EXPECT_NE("", refusal("a.off", "ABC\n4 2 0\n" + rows + two_faces));
+  std::string joined = "v 1 2 3 ";
+  for (int i = 0; i < 300000; ++i)
+    joined += "\\\n";
+  EXPECT_EQ(1u, numberOfPoints(read("a.obj", joined + '\n').cloud));
+  std::string elements;
+  for (int i = 0; i < 100000; ++i)
+    elements += "element a" + std::to_string(i) + " 0\n";
+  EXPECT_NE(std::string::npos,
+            refusal("a.ply", ply("ascii") + elements + "end_header\n" + rows)
+                .find("more than can be read"));
 }
 
 TEST_F(ForeignMeshes, STLInText)
@@ -296,6 +323,15 @@ TEST_F(ForeignMeshes, FacesOfManyCorners)
   }
 }
 
+TEST_F(ForeignMeshes, FacesOfFewCorners)
+{
+  const Geometry mesh = read("a.off", "OFF\n4 3 0\n" + rows + "1 0\n2 0 1\n3 0 1 2\n");
+  ASSERT_EQ(3u, mesh.faces.size());
+  EXPECT_NE(std::string::npos,
+            contentOf(write("b.obj", mesh)).find("p 1\nl 1 2\nf 1 2 3\n"));
+  EXPECT_EQ(1u, readGeometry(path("b.obj")).faces.size());
+}
+
 TEST_F(ForeignMeshes, OBJKeepsAllStatements)
 {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -333,6 +369,42 @@ TEST_F(ForeignMeshes, OBJKeepsAllStatements)
       read("i.txt", "# Blender\no a\n" + points + "f 1 2 3\nf 1 3 4\n").faces.size());
   EXPECT_NE(std::string::npos,
             contentOf(write("k.obj", read("j.obj", points))).find("v 1 1 0\n"));
+}
+
+TEST_F(ForeignMeshes, ColoursOfOBJ)
+{
+  using Colour = std::array<std::uint8_t, 3>;
+  const auto colour = [](const Geometry& mesh, std::size_t point) -> Colour {
+    const auto& fields = mesh.cloud.fields;
+    const auto field = std::find_if(fields.begin(), fields.end(), isPackedColour);
+    if (field == fields.end())
+      throw std::runtime_error("lost its colour");
+    const auto parts =
+        getColour(*field, &mesh.cloud.data[point * mesh.cloud.point_step]);
+    return {parts[0], parts[1], parts[2]};
+  };
+  const std::string fractions = "v 0 0 0 0.5 0.25 0.125\nv 1 0 0 1 0 0\n";
+  const Geometry by_fractions = read("a.obj", fractions);
+  EXPECT_EQ((Colour{128, 64, 32}), colour(by_fractions, 0));
+  EXPECT_EQ(fractions, contentOf(write("b.obj", by_fractions)));
+  const std::string bytes = "v 0 0 0 0 128 1\nv 1 0 0 255 1 0\nv 1 1 1\n";
+  const Geometry by_bytes = read("a.obj", bytes);
+  EXPECT_EQ((Colour{0, 128, 1}), colour(by_bytes, 0));
+  EXPECT_EQ((Colour{255, 255, 255}), colour(by_bytes, 2));
+  EXPECT_EQ(bytes, contentOf(write("b.obj", by_bytes)));
+  // colours are what they were in all formats that have some
+  for (const std::string name : {"a.pts", "a.ptx", "a.xyz", "a.ply", "a.off", "a.pcd"})
+    EXPECT_EQ((Colour{0, 128, 1}), colour(readGeometry(write(name, by_bytes)), 0))
+        << name;
+  Geometry transparent = by_bytes;
+  const auto& packed = *findField(transparent.cloud, "rgba");
+  transparent.cloud.data[packed.offset + 3] = 100;
+  EXPECT_EQ(Names{"alpha of colours"}, lossesOf(transparent, FileFormat::PTS));
+  EXPECT_EQ(Names{}, lossesOf(transparent, FileFormat::PLY));
+  EXPECT_EQ((Colour{0, 128, 1}), colour(readGeometry(write("c.pts", transparent)), 0));
+  const Geometry again = readGeometry(write("c.csv", transparent));
+  EXPECT_EQ(100,
+            getColour(*findField(again.cloud, "rgba"), again.cloud.data.data())[3]);
 }
 
 TEST_F(ForeignMeshes, HeadersOfPCD)

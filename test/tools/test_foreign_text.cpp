@@ -4,6 +4,7 @@
  * Columns of text as other programs write them.
  */
 
+#include "io/losses.h"
 #include "tool_files.h"
 
 #include <utility>
@@ -99,6 +100,10 @@ TEST_F(ForeignText, Delimiters)
        {"big.xyz", inUTF16(rows, true, true)},
        {"markless.xyz", inUTF16(rows, false, false)},
        {"markless_big.xyz", inUTF16(rows, true, false)}});
+  std::string umlaut = inUTF16("# Hohe und Breite, gemessen\n1 2 3\n", false, false);
+  umlaut[6] = '\x51';
+  umlaut[7] = '\x01';
+  expectEqual({{1, 2, 3}}, positionsOf(read("a.txt", umlaut)), 0.0);
   EXPECT_NE(std::string::npos,
             refusal("a.txt", std::string("\xFF\xFE\0\0001\0\0\0", 8)).find("UTF-32"));
   EXPECT_NE(std::string::npos,
@@ -261,9 +266,121 @@ TEST_F(ForeignText, ColumnsOfWordsAreLeftOut)
   for (int i = 0; i < 100000; ++i)
     prose += "three more words\n";
   EXPECT_NE(std::string::npos, refusal("a.txt", prose).find("line 101"));
-  // words among numbers are wrong
+  // words among numbers are wrong in a point, and told of elsewhere
   EXPECT_NE(std::string::npos,
-            refusal("a.csv", "x,y,z,i\n1,2,3,4\n1,2,3,four\n").find("line 3: 'four'"));
+            refusal("a.csv", "x,y,z,i\n1,2,3,4\n1,2,four,4\n").find("line 3: 'four'"));
+  EXPECT_EQ(Names{"column 'i' (line 3: 'P3' is not a number)"},
+            read("a.csv", "x,y,z,i\n1,2,3,4\n1,2,3,P3\n").left_out);
+}
+
+TEST_F(ForeignText, TitlesThatNameFewerColumns)
+{
+  // a column that counts the rows often has no name
+  const std::string rows = "1 1.5 -2.25 3000\n2 4.5 5 -6.125\n";
+  expectPoints(
+      {{"tabs.tsv", "\tx\ty\tz\n0\t1.5\t-2.25\t3000\n1\t4.5\t5\t-6.125\n"},
+       {"r.txt", "x y z\n" + rows},
+       {"frame.txt", "     x     y      z\n0  1.5 -2.25 3000\n1 4.5 5 -6.125\n"},
+       {"r.csv", "\"x\",\"y\",\"z\"\n\"a\",1.5,-2.25,3000\n\"b\",4.5,5,-6.125\n"},
+       {"pandas.csv", ",0,1,2\n0,1.5,-2.25,3000\n1,4.5,5,-6.125\n"},
+       {"names.txt", "x y z\nP1 1.5 -2.25 3000\nP2 4.5 5 -6.125\n"}});
+  EXPECT_EQ(1u, read("a.txt", "x y z\n" + rows).assumed.size());
+  // else they are the first columns, which is told, if they can be
+  const Geometry first = read("a.txt", "x y z\n1.5 2 3 7\n");
+  expectEqual({{1.5, 2, 3}}, positionsOf(first), 0.0);
+  EXPECT_NE(std::string::npos, first.assumed.at(0).find("line 1 names 3 of 4 columns"));
+  for (const std::string content :
+       {"x,y,z\n1,5,2,5,3,5\n", "id,x,y,z\n7,1,2,3,4\n8,2,3,4,5\n", "x,y,z,i\n1,2,3\n"})
+    EXPECT_NE(std::string::npos, refusal("a.csv", content).find("line 1: names "))
+        << content;
+}
+
+TEST_F(ForeignText, NumbersBeforePoints)
+{
+  const std::string file = "7,4.5,5.5,6.5,TREE\n8,1.5,2,3,TREE\n";
+  for (const std::string& content : {file, std::string("0 0 1.5 2 3\n0 1 4 5 6\n")}) {
+    const auto assumed = read("a.txt", content).assumed;
+    ASSERT_EQ(1u, assumed.size()) << content;
+    EXPECT_NE(std::string::npos, assumed[0].find("column 1 looks like numbers"));
+  }
+  EXPECT_EQ(0u, read("a.txt", "0 0 0 1\n0 0 1 2\n1 0 0 3\n").assumed.size()); // voxels
+  EXPECT_EQ(0u, read("a.txt", "id x y z\n1 1.5 2.5 3.5\n2 1 2 3\n").assumed.size());
+  // numbers of columns are no point
+  const Geometry numbered = read("a.csv", "0,1,2\n1.5,2.5,3.5\n");
+  expectEqual({{1.5, 2.5, 3.5}}, positionsOf(numbered), 0.0);
+  EXPECT_EQ(1u, numbered.assumed.size());
+  for (const std::string name : {"b.xyz", "b.pts"}) { // but of the tool they may be one
+    Geometry points = read("a.csv", "x,y,z\n0,1,2\n1.5,2.5,3.5\n");
+    points.header_mark.reset(); // as if of another format
+    expectEqual(positionsOf(points), positionsOf(readGeometry(write(name, points))),
+                0.0);
+  }
+  expectEqual({{0, 1, 2}, {1, 2, 3}}, positionsOf(read("a.csv", "0,1,2\n1,2,3\n")),
+              0.0);
+}
+
+TEST_F(ForeignText, NamesOfTwoKinds)
+{
+  expectEqual({{3, 4, 5}},
+              positionsOf(read("a.csv", "x,y,Easting,Northing,Elevation\n1,2,3,4,5\n")),
+              0.0);
+  expectEqual({{4, 5, 6}},
+              positionsOf(read("a.txt", "v_x v_y v_z x y z\n1 2 3 4 5 6\n")), 0.0);
+  for (const std::string title :
+       {"range azimuth elevation x y", "v_x v_y v_z x y", "a b x_coord y z"})
+    EXPECT_NE("", refusal("a.txt", title + "\n1 2 3 4 5\n")) << title;
+  // what is no title is told of
+  for (const std::string content :
+       {"x1,y1,z1,x2,y2,z2,x3,y3,z3\n1,2,3,4,5,6,7,8,9\n",
+        "# x east y north z up\n1 2 3 10 20 30\n",
+        "# X right, Y up, Z forward\n1 2 3 0 0 1\n", "Church north facade\n1 2 3\n"}) {
+    const Geometry points = read("a.txt", content);
+    expectEqual({{1, 2, 3}}, positionsOf(points), 0.0);
+    EXPECT_EQ(1u, points.assumed.size()) << content;
+  }
+}
+
+TEST_F(ForeignText, MarksOfCommentsInRows)
+{
+  const Geometry coloured =
+      read("a.csv", "id,x,y,z,color,label\n7,1,2,3,#ff0000,5\n8,2,3,4,#00ff00,6\n");
+  expectEqual({{1, 2, 3}, {2, 3, 4}}, positionsOf(coloured), 0.0);
+  EXPECT_EQ(5.0, numberAt(coloured, "label", 0));
+  expectEqual({{1, 2, 3}}, positionsOf(read("a.txt", "name x y z\nP#1 1 2 3 # 4, 5\n")),
+              0.0);
+  for (const std::string rows : {"#1,1,2,3\n2,2,3,4\n", "2,2,3,4\n#1,1,2,3\n"}) {
+    const Geometry marked = read("a.csv", "id,x,y,z\n" + rows);
+    expectEqual({{2, 3, 4}}, positionsOf(marked), 0.0);
+    ASSERT_EQ(1u, marked.assumed.size());
+    EXPECT_NE(std::string::npos, marked.assumed[0].find("starts with #"));
+  }
+}
+
+TEST_F(ForeignText, WhatIsNoRow)
+{
+  expectPoints(
+      {{"names.csv", "P1,1.5,-2.25,3000\nP2,4.5,5,-6.125\n"},
+       {"markers.txt", "#Label,X/East,Y/North,Z/Altitude\npoint 0,1.5,-2.25,3000\n"
+                       "point 1,4.5,5,-6.125\n"},
+       {"german.csv", "X-Koordinate;Y-Koordinate;Z-Koordinate\n1,5;-2,25;3000\n"
+                      "4,5;5;-6,125\n"},
+       {"empty.tsv", "id\tx\ty\tz\n1\t1.5\t-2.25\t3000\n2\t\t\t\n"
+                     "3\t4.5\t5\t-6.125\n"}});
+  for (const std::string content : {"1|2|3\n4|5|6\n", "[1 2 3]\n", "#1,2,3,4\n"})
+    EXPECT_NE(std::string::npos,
+              refusal("a.txt", content).find("line 1 ('" + content.substr(0, 5)))
+        << content;
+}
+
+TEST_F(ForeignText, LongTitlesCostNoTime)
+{
+  std::string line = "a";
+  for (int i = 0; i < 100000; ++i)
+    line += " 1";
+  std::string file;
+  for (int i = 0; i < 50; ++i)
+    file += line + '\n';
+  expectEqual({{1, 2, 3}}, positionsOf(read("a.txt", file + "1 2 3\n")), 0.0);
 }
 
 TEST_F(ForeignText, BlocksWithCounts)
@@ -282,6 +399,28 @@ TEST_F(ForeignText, BlocksWithCounts)
   EXPECT_NE("", refusal("a.pts", "2\n1 2 3\n1\n1 2 3\n"));
   EXPECT_NE("", refusal("a.pts", "-1\n1 2 3\n"));
   EXPECT_NE("", refusal("a.pts", "1.5\n1 2 3\n"));
+}
+
+TEST_F(ForeignText, PTSReadsWhatItWrites)
+{
+  // a point and its normal, with intensity, colour, or both
+  for (const std::string row :
+       {"1.5 2 3", "1.5 2 3 7", "1.5 2 3 9 8 7", "1.5 2 3 7 9 8 7", "1.5 2 3 0 0.6 0.8",
+        "1.5 2 3 7 0 0.6 0.8", "1.5 2 3 9 8 7 0 0 1", "1.5 2 3 7 9 8 7 0 0.6 0.8"}) {
+    const std::string file = "1\n" + row + '\n';
+    const Geometry points = read("a.pts", file);
+    EXPECT_EQ(Names{}, lossesOf(points, FileFormat::PTS)) << row;
+    EXPECT_EQ(file, contentOf(write("b.pts", points)));
+    for (const auto& field : points.cloud.fields)
+      EXPECT_NE(0u, field.name.find("column_")) << row;
+  }
+  // what it would not know again is not written, which is told
+  const Geometry other = read("a.txt", "x y z column_4\n1 2 3 9\n");
+  EXPECT_EQ(Names{"field 'column_4'"}, lossesOf(other, FileFormat::PTS));
+  EXPECT_EQ("1\n1 2 3\n", contentOf(write("b.pts", other)));
+  const Geometry longer = read("a.txt", "x y z nx ny nz\n1 2 3 0 0 2\n");
+  EXPECT_EQ(3u, lossesOf(longer, FileFormat::PTS).size());
+  EXPECT_EQ("1\n1 2 3\n", contentOf(write("b.pts", longer)));
 }
 
 TEST_F(ForeignText, ScansOfPTX)
@@ -303,6 +442,10 @@ TEST_F(ForeignText, ScansOfPTX)
     ASSERT_EQ(1u, points.assumed.size());
     EXPECT_NE(std::string::npos, points.assumed[0].find("2 places"));
   }
+  const std::string point = "1 2 3 0.5\n";
+  EXPECT_EQ(
+      Names{"the grids of the scans"},
+      read("a.ptx", "2\n2\n" + identity + point + point + point + point).left_out);
   // points at 0 0 0 are points, too, once they have been placed
   expectEqual({{0, 0, 0}, {4512345.125, 0.5, -3}},
               positionsOf(readGeometry(
@@ -343,6 +486,19 @@ TEST_F(ForeignText, WrittenAsTheFormatHasIt)
     EXPECT_EQ(254, getColour(*findField(again.cloud, "rgb"),
                              &again.cloud.data[again.cloud.point_step])[2]);
   }
+  // names stand above normals that only their names tell
+  const Geometry longer = read("b.txt", "x y z nx ny nz\n1 2 3 0 0 2\n");
+  EXPECT_EQ(1u, normalsOf(readGeometry(write("b.xyz", longer))).size());
+  // whole numbers of 64 bits keep their digits
+  Geometry timed;
+  for (const char* name : {"x", "y", "z"})
+    addField(timed.cloud, name, pcl::PCLPointField::FLOAT64);
+  addField(timed.cloud, "time", pcl::PCLPointField::INT64);
+  setNumberOfPoints(timed.cloud, 1);
+  const std::int64_t time = 1588291200123456789;
+  memcpy(&timed.cloud.data[24], &time, sizeof time);
+  EXPECT_EQ("x,y,z,time\n0,0,0,1588291200123456789\n",
+            contentOf(write("b.csv", timed)));
   EXPECT_EQ(0u, contentOf(path("a.csv")).find("x,y,z,"));
   EXPECT_EQ(0u, contentOf(path("a.xyz")).find("# x y z "));
 }

@@ -19,10 +19,12 @@ namespace {
 using Words = std::vector<std::string>;
 
 /** The letters and digits of a title, in lower case, without the unit that stands in
- * brackets behind it. */
+ * brackets behind it, or another name behind a slash. */
 std::string
 keyOf(std::string title)
 {
+  if (const auto slash = title.find('/', 1); slash != std::string::npos)
+    title.resize(slash);
   const auto bracket = title.find_first_of("[({", 1);
   if (bracket != std::string::npos)
     title.resize(bracket);
@@ -92,52 +94,110 @@ numbered(std::size_t axis, const Words& prefixes, std::size_t first)
 const Words POSITION_PREFIXES{"",           "p",           "pos",       "position",
                               "point",      "points",      "coord",     "coords",
                               "coordinate", "coordinates", "cartesian", "utm",
-                              "world",      "xyz",         "location",  "v"};
-const Words POSITION_SUFFIXES{"",    "coord",    "coords", "coordinate", "coordinates",
-                              "pos", "position", "m",      "mm",         "cm",
-                              "utm", "value"};
+                              "world",      "xyz",         "location"};
+const Words POSITION_SUFFIXES{
+    "",  "coord", "coords", "coordinate", "coordinates", "pos",   "position",
+    "m", "mm",    "cm",     "utm",        "koordinate",  "value", "location"};
+const Words EAST{"easting", "eastings", "east", "eastingm", "rechtswert",
+                 "ostwert", "este",     "est",  "ost"};
+const Words NORTH{"northing", "northings", "north", "northingm",
+                  "hochwert", "nordwert",  "norte", "nord"};
+const Words HEIGHT{"height",  "elevation",  "elev",  "altitude", "alt",
+                   "heightm", "elevationm", "hoehe", "hohe",     "hhe",
+                   "cota",    "altura",     "quota", "hauteur"};
+
+/** Words, and more of them. */
+Words
+with(Words words, const Words& more)
+{
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/** All ways to name positions, the plainest first. None mixes two of them, for then the
+ * columns need not be of one frame; but maps may have a height beside x and y. */
+std::vector<Naming>
+namingsOfPositions()
+{
+  std::vector<Naming> namings;
+  for (const auto& prefix : POSITION_PREFIXES)
+    for (const auto& suffix : POSITION_SUFFIXES)
+      namings.push_back({Words{prefix + 'x' + suffix}, Words{prefix + 'y' + suffix},
+                         Words{prefix + 'z' + suffix}});
+  const Words heights = with(HEIGHT, {"h", "u", "up", "z"});
+  namings.push_back({EAST, NORTH, HEIGHT});
+  namings.push_back({EAST, NORTH, heights});
+  for (const auto& suffix : POSITION_SUFFIXES)
+    namings.push_back({Words{'x' + suffix}, Words{'y' + suffix}, with(HEIGHT, {"h"})});
+  namings.push_back({with(EAST, {"e"}), with(NORTH, {"n"}), heights});
+  const Words prefixes(POSITION_PREFIXES.begin() + 1, POSITION_PREFIXES.end());
+  for (const std::size_t first : {0, 1})
+    namings.push_back({numbered(0, prefixes, first), numbered(1, prefixes, first),
+                       numbered(2, prefixes, first)});
+  return namings;
+}
+
+/** What says that an elevation is an angle. */
+bool
+holdAngles(const Words& keys)
+{
+  return find(keys, {"azimuth", "bearing", "azimut"}) != NONE;
+}
 
 Columns
 findPosition(const Words& keys)
 {
-  // the plainest words first
-  const Words plain{""};
-  const Words numbered_prefixes(POSITION_PREFIXES.begin() + 1, POSITION_PREFIXES.end());
-  Naming naming;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    naming[axis] = axisWords(axis, plain, plain);
-    const Words more = axisWords(axis, POSITION_PREFIXES, POSITION_SUFFIXES);
-    naming[axis].insert(naming[axis].end(), more.begin(), more.end());
-  }
-  const std::array<Words, 3> of_maps{
-      Words{"easting", "eastings", "east", "eastingm", "rechtswert", "ostwert", "este",
-            "est", "ost"},
-      Words{"northing", "northings", "north", "northingm", "hochwert", "nordwert",
-            "norte", "nord"},
-      Words{"height", "elevation", "elev", "altitude", "alt", "heightm", "elevationm",
-            "hoehe", "hohe", "hhe", "cota", "altura", "quota", "hauteur"}};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    naming[axis].insert(naming[axis].end(), of_maps[axis].begin(), of_maps[axis].end());
-  const Columns columns = find(keys, naming);
-  if (areComplete(columns))
-    return columns;
-  Naming letters = naming; // that also mean other things
-  letters[0].push_back("e");
-  letters[1].push_back("n");
-  letters[2].insert(letters[2].end(), {"h", "u", "up"});
-  std::vector<Naming> others{letters};
-  for (const std::size_t first : {0, 1})
-    others.push_back({numbered(0, numbered_prefixes, first),
-                      numbered(1, numbered_prefixes, first),
-                      numbered(2, numbered_prefixes, first)});
-  others.push_back(
-      {numbered(0, {"x"}, 1), numbered(1, {"x"}, 1), numbered(2, {"x"}, 1)});
-  for (const auto& other : others) {
-    const Columns found = find(keys, other);
-    if (areComplete(found))
+  static const auto namings = namingsOfPositions();
+  for (const auto& naming : namings) {
+    const Columns found = find(keys, naming);
+    if (areComplete(found) &&
+        (!holdAngles(keys) || find({keys[found[2]]}, HEIGHT) == NONE))
       return found;
   }
-  return columns;
+  // three points of a triangle have an x1, too
+  if (find(keys, {"y1", "z1"}) == NONE)
+    return find(keys, Naming{Words{"x1"}, Words{"x2"}, Words{"x3"}});
+  return {NONE, NONE, NONE};
+}
+
+/** Columns that may be x, y or z, though not of one naming, or not all three. */
+Columns
+findSomeOfPosition(const Words& keys)
+{
+  Naming naming{EAST, NORTH, holdAngles(keys) ? Words() : HEIGHT};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    naming[axis] =
+        with(axisWords(axis, POSITION_PREFIXES, POSITION_SUFFIXES), naming[axis]);
+  return find(keys, naming);
+}
+
+/** \throws std::runtime_error where titles name some of x, y and z, as those of a table
+ * would and no prose does */
+void
+refuseSomeOfPosition(const Words& keys, const Words& titles)
+{
+  if (find(keys, {"lat", "latitude"}) != NONE &&
+      find(keys, {"lon", "long", "lng", "longitude"}) != NONE)
+    throw std::runtime_error("names latitude and longitude, which are angles; convert "
+                             "them to x, y and z");
+  const Columns columns = findSomeOfPosition(keys);
+  std::string found;
+  std::size_t count = 0;
+  bool has_letter = false;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (columns[axis] != NONE) {
+      found +=
+          (count++ == 0 ? "'" : " and '") + titles[columns[axis]].substr(0, 40) + "'";
+      has_letter = has_letter ||
+                   find({keys[columns[axis]]},
+                        axisWords(axis, POSITION_PREFIXES, POSITION_SUFFIXES)) != NONE;
+    }
+  if (count == 3)
+    throw std::runtime_error("names " + found +
+                             ", which are not of one kind; name x, y and z alike");
+  if (count == 2 || has_letter)
+    throw std::runtime_error("names " + found +
+                             " alone of x, y and z; name all three columns");
 }
 
 Columns
@@ -205,14 +265,7 @@ fieldNames(const std::vector<std::string>& titles)
     keys.push_back(keyOf(title));
   const Columns position = findPosition(keys);
   if (!areComplete(position)) {
-    std::string found;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (position[axis] != NONE)
-        found += (found.empty() ? "'" : " and '") +
-                 titles[position[axis]].substr(0, 40) + "'";
-    if (!found.empty())
-      throw std::runtime_error("names " + found +
-                               " alone of x, y and z; name all three columns");
+    refuseSomeOfPosition(keys, titles);
     return {};
   }
 
@@ -226,7 +279,12 @@ fieldNames(const std::vector<std::string>& titles)
   };
   give(position, VectorField::POSITION);
   give(findNormal(keys), VectorField::NORMAL);
-  give(findColour(keys), {"red", "green", "blue"});
+  const Columns colour = findColour(keys);
+  give(colour, {"red", "green", "blue"});
+  if (const std::size_t alpha = find(keys, {"alpha", "a"});
+      areComplete(colour) && alpha != NONE && names[alpha].empty() &&
+      taken.insert("alpha").second)
+    names[alpha] = "alpha";
   for (std::size_t i = 0; i < titles.size(); ++i)
     if (names[i].empty()) {
       const std::string name = cleaned(titles[i], i);

@@ -5,6 +5,7 @@
 #include "geometry.h"
 
 #include "fields.h"
+#include "normal_check.h"
 #include "vector_field.h"
 
 #include <algorithm>
@@ -60,6 +61,17 @@ normalsOf(const Geometry& geometry)
 {
   const VectorField normal(geometry.cloud, VectorField::NORMAL);
   return normal.exists() ? vectorsOf(geometry.cloud, normal) : Points();
+}
+
+bool
+areNormalsByLength(const Geometry& geometry)
+{
+  NormalCheck check;
+  const Points positions = positionsOf(geometry), normals = normalsOf(geometry);
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    if (positions[i].allFinite()) // others are no rows when they are read again
+      check.add(normals[i][0], normals[i][1], normals[i][2]);
+  return check.areNormals();
 }
 
 Eigen::AlignedBox3d

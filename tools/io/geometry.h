@@ -23,7 +23,8 @@ using Points = std::vector<Eigen::Vector3d>;
  * written again.
  */
 struct OBJStatements {
-  /** \brief The lines; those of points and normals are their keywords alone. */
+  /** \brief The lines; those of normals are their keywords alone, and those of points
+   * their keywords and colours. */
   std::string text;
   Points normals;
   /** \brief What other formats cannot hold of them, in words for the user. */
@@ -71,6 +72,12 @@ positionsOf(const Geometry& geometry);
  */
 Points
 normalsOf(const Geometry& geometry);
+
+/** \brief Whether the points have normals that readers of columns without names would
+ * take for some, as they have unit length.
+ */
+bool
+areNormalsByLength(const Geometry& geometry);
 
 /** \brief The box around all finite points; empty where there are none. */
 Eigen::AlignedBox3d

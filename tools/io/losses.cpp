@@ -21,10 +21,9 @@ holdsFaces(FileFormat format)
 
 /** Whether a format has room for a field of a cloud. */
 bool
-holds(FileFormat format,
-      const pcl::PCLPointCloud2& cloud,
-      const pcl::PCLPointField& field)
+holds(FileFormat format, const Geometry& geometry, const pcl::PCLPointField& field)
 {
+  const auto& cloud = geometry.cloud;
   const auto is_one_of = [&](const std::set<std::string>& names) {
     return names.count(field.name) > 0;
   };
@@ -40,8 +39,8 @@ holds(FileFormat format,
            (is_one_of({"red", "green", "blue", "alpha"}) && findField(cloud, "red") &&
             findField(cloud, "green") && findField(cloud, "blue"));
   case FileFormat::PTS:
-    return is_normal || isPackedColour(field) || is_one_of({"intensity"}) ||
-           field.name.compare(0, 7, "column_") == 0;
+    return (is_normal && areNormalsByLength(geometry)) || isPackedColour(field) ||
+           is_one_of({"intensity"});
   case FileFormat::PTX:
     return isPackedColour(field) || is_one_of({"intensity"});
   case FileFormat::STL:
@@ -49,6 +48,23 @@ holds(FileFormat format,
   default:
     return true;
   }
+}
+
+/** Whether colours are transparent, and not all of them in the same way, as nobody sets
+ * alpha who does not need it. */
+bool
+hasTransparency(const pcl::PCLPointCloud2& cloud)
+{
+  const auto* colour = findField(cloud, "rgba");
+  if (!colour || !isPackedColour(*colour))
+    return false;
+  const auto alpha = [&](std::size_t i) {
+    return getColour(*colour, &cloud.data[i * cloud.point_step])[3];
+  };
+  for (std::size_t i = 0; i < numberOfPoints(cloud); ++i)
+    if (alpha(i) != alpha(0) || (alpha(i) != 0 && alpha(i) != 255))
+      return true;
+  return false;
 }
 
 /** Whether some points are corners of no face. */
@@ -72,8 +88,12 @@ lossesOf(const Geometry& geometry, FileFormat format)
     losses.insert(losses.end(), geometry.statements.others.begin(),
                   geometry.statements.others.end());
   for (const auto& field : geometry.cloud.fields)
-    if (!isPadding(field) && !holds(format, geometry.cloud, field))
+    if (!isPadding(field) && !holds(format, geometry, field))
       losses.push_back("field '" + field.name.substr(0, 40) + "'");
+  const bool holds_alpha = format != FileFormat::OBJ && format != FileFormat::PTS &&
+                           format != FileFormat::PTX;
+  if (!holds_alpha && hasTransparency(geometry.cloud))
+    losses.push_back("alpha of colours");
   if (!geometry.faces.empty() && !holdsFaces(format))
     losses.push_back("faces");
   if (format == FileFormat::STL) {

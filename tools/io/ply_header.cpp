@@ -143,6 +143,9 @@ PLYHeader::PLYHeader(TextLines& lines)
       const std::string name(words[1]);
       if (find(name))
         lines.failAt(name, "is in the header twice");
+      constexpr std::size_t most = 1000; // more would be another file's data
+      if (elements.size() == most)
+        lines.fail("is one element more than can be read");
       elements.push_back({name, countOf(lines, words[2]), {}});
     }
     else if (words[0] == "property") {

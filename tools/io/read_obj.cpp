@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <set>
 
@@ -40,8 +39,8 @@ constexpr std::size_t NONE = -1;
 
 struct Point {
   Eigen::Vector3d position;
-  /** Red, green, blue and alpha as PCL packs them; 0 where the file gives none. */
-  std::uint32_t colour;
+  /** Red, green and blue; none where the first is negative. */
+  Eigen::Vector3d colour;
   /** The number of its normal. */
   std::size_t normal;
 };
@@ -80,8 +79,8 @@ public:
     geometry.faces = joinNormals();
     const bool has_normals = std::any_of(
         points_.begin(), points_.end(), [](const auto& p) { return p.normal != NONE; });
-    const bool has_colours = std::any_of(points_.begin(), points_.end(),
-                                         [](const auto& p) { return p.colour != 0; });
+    const bool has_colours = std::any_of(
+        points_.begin(), points_.end(), [](const auto& p) { return p.colour[0] >= 0; });
     geometry.from_text = true;
     auto& cloud = geometry.cloud;
     for (const char* name : VectorField::POSITION)
@@ -96,27 +95,48 @@ public:
     const VectorField position(cloud, VectorField::POSITION);
     const VectorField normal(cloud, VectorField::NORMAL);
     const auto* colour = findField(cloud, "rgba");
+    const double white = haveByteColours() ? 255.0 : 1.0;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       std::uint8_t* to = &cloud.data[i * cloud.point_step];
       position.set(to, points_[i].position);
       if (points_[i].normal != NONE)
         normal.set(to, statements_.normals[points_[i].normal]);
-      // white where only others have a colour
-      const std::uint32_t packed = points_[i].colour != 0 ? points_[i].colour : -1;
-      if (colour)
-        std::memcpy(to + colour->offset, &packed, sizeof packed);
+      if (!colour)
+        continue;
+      to[colour->offset + 3] = 255;
+      for (int k = 0; k < 3; ++k) { // blue first; white where only others have a colour
+        const double part = points_[i].colour[0] < 0 ? white : points_[i].colour[2 - k];
+        to[colour->offset + k] =
+            static_cast<std::uint8_t>(std::lround(255.0 * std::min(part / white, 1.0)));
+      }
     }
     geometry.statements = std::move(statements_);
     return geometry;
   }
 
 private:
+  /** Whether colours go up to 255, as some programs write them, and not up to 1. */
+  bool
+  haveByteColours() const
+  {
+    const auto is_byte = [](const Point& point) {
+      return point.colour[0] < 0 ||
+             (point.colour == point.colour.array().round().matrix() &&
+              point.colour.maxCoeff() <= 255.0);
+    };
+    return std::any_of(points_.begin(), points_.end(),
+                       [](const auto& p) { return p.colour.maxCoeff() > 1.0; }) &&
+           std::all_of(points_.begin(), points_.end(), is_byte);
+  }
+
   void
   readStatement()
   {
     const auto& words = lines_.words();
     const std::string_view keyword = words.empty() ? "" : words[0];
-    if (keyword == "v" || keyword == "vn")
+    if (keyword == "v" && words.size() == 7) // with all digits of its colour
+      statements_.text.append("v ").append(words[4].data()) += '\n';
+    else if (keyword == "v" || keyword == "vn")
       statements_.text.append(keyword) += '\n';
     else if (!keyword.empty())
       statements_.text.append(lines_.text()) += '\n';
@@ -173,20 +193,17 @@ private:
   addPoint()
   {
     const auto& numbers = this->numbers({3, 4, 6});
-    Point point{toVector(numbers), 0, NONE};
+    Point point{toVector(numbers), Eigen::Vector3d::Constant(-1.0), NONE};
     if (numbers.size() == 4) { // homogeneous
       if (numbers[3] == 0.0)
         lines_.fail("the point lies at infinity");
       point.position /= numbers[3];
     }
     if (numbers.size() == 6) {
-      point.colour = 0xff;
       for (std::size_t i = 3; i < 6; ++i) {
         if (!std::isfinite(numbers[i]))
           lines_.fail("has a colour that is no number");
-        point.colour =
-            point.colour << 8 | static_cast<std::uint32_t>(std::lround(
-                                    255.0 * std::min(std::max(numbers[i], 0.0), 1.0)));
+        point.colour[i - 3] = std::max(numbers[i], 0.0);
       }
     }
     points_.push_back(point);

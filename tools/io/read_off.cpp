@@ -2,9 +2,10 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
-#include "fields.h"
 #include "format_readers.h"
+#include "normal_check.h"
 #include "text_lines.h"
+#include "text_table.h"
 
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/predicate.hpp>
@@ -12,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <regex>
+#include <set>
 #include <stdexcept>
 
 /** \file
@@ -78,12 +79,22 @@ failIncomplete()
                            "file is damaged or incomplete");
 }
 
+/** Whether three columns from one on are normals, by their length. */
+bool
+areNormals(const std::vector<double>& points, std::size_t columns, std::size_t first)
+{
+  NormalCheck check;
+  for (std::size_t at = first; at + 2 < points.size(); at += columns)
+    check.add(points[at], points[at + 1], points[at + 2]);
+  return check.areNormals();
+}
+
 /** What the keyword says of the points. */
 struct Kind {
   bool has_normals, has_colours, has_texture;
 
   explicit Kind(const std::string& keyword)
-  : has_normals(keyword.find('N') < keyword.find("OFF"))
+  : has_normals(keyword.find('N') != std::string::npos)
   , has_colours(keyword.find('C') != std::string::npos)
   , has_texture(keyword.find("ST") != std::string::npos)
   {
@@ -97,18 +108,28 @@ struct Kind {
            (has_texture ? 2 : 0);
   }
 
-  /** Name the columns of the points. */
+  /** Name the columns of points. Programs do not agree whether normals come before
+   * colours, but their lengths tell. */
   std::vector<std::string>
-  names(std::size_t columns) const
+  names(const std::vector<double>& points, std::size_t columns) const
   {
     std::vector<std::string> names{"x", "y", "z"};
-    if (has_normals)
+    const auto add_normals = [&] {
       names.insert(names.end(), {"normal_x", "normal_y", "normal_z"});
+    };
+    const std::size_t colour = columns >= this->columns(4) ? 4 : 3;
+    const bool colours_first = has_normals && has_colours &&
+                               !areNormals(points, columns, 3) &&
+                               areNormals(points, columns, 3 + colour);
+    if (has_normals && !colours_first)
+      add_normals();
     if (has_colours) {
       names.insert(names.end(), {"red", "green", "blue"});
-      if (columns >= this->columns(4))
+      if (colour == 4)
         names.push_back("alpha");
     }
+    if (colours_first)
+      add_normals();
     if (has_texture)
       names.insert(names.end(), {"texture_u", "texture_v"});
     for (std::size_t i = names.size(); i < columns; ++i)
@@ -220,14 +241,17 @@ takeKeyword(TextLines& lines)
 {
   if (lines.startsWithNumber())
     return "";
-  static const std::regex start("((ST)?C?N?OFF)([0-9]*)", std::regex::icase);
-  const std::string word = lines.takeWord();
-  std::smatch parts;
-  if (!std::regex_match(word, parts, start) ||
+  static const std::set<std::string_view> kinds{"",   "C",   "N",   "CN",   "NC",
+                                                "ST", "STC", "STN", "STCN", "STNC"};
+  const std::string word = boost::algorithm::to_upper_copy(lines.takeWord());
+  const std::size_t off = word.find("OFF"), end = off + 3;
+  if (off == std::string::npos ||
+      kinds.count(std::string_view(word).substr(0, off)) == 0 ||
+      word.find_first_not_of("0123456789", end) != std::string::npos ||
       boost::algorithm::istarts_with(lines.text(), "BINARY"))
     lines.fail("is no start of an OFF file in text with points of x, y and z");
-  lines.putBack(parts[3]);
-  return boost::algorithm::to_upper_copy(parts[1].str());
+  lines.putBack(word.substr(end));
+  return word.substr(0, end);
 }
 
 } // namespace
@@ -235,7 +259,7 @@ takeKeyword(TextLines& lines)
 Geometry
 readOFF(std::istream& stream)
 {
-  TextLines lines(stream);
+  TextLines lines(stream, TextLines::Style::COMMENTED);
   if (!lines.next())
     failIncomplete();
   const Kind kind(takeKeyword(lines));
@@ -265,7 +289,13 @@ readOFF(std::istream& stream)
   const auto named = [&](Geometry geometry) {
     const auto first = numbers.values.begin() + layout.begin;
     const std::vector<double> points(first, first + layout.points * layout.columns);
-    geometry.cloud = cloudOfDoubles(points, kind.names(layout.columns));
+    TextTable table;
+    table.columns = layout.columns;
+    table.names = kind.names(points, layout.columns);
+    table.has_names = true;
+    table.kinds.assign(layout.columns, TextTable::Kind::NUMBERS);
+    table.values = points;
+    geometry.cloud = toGeometry(std::move(table), FileFormat::OFF).cloud;
     geometry.from_text = true;
     return geometry;
   };

@@ -136,9 +136,11 @@ readPTX(std::istream& stream)
 {
   TextLines lines(stream, TextLines::Style::RAW);
   Scans scans;
+  bool has_grid = false;
   while (lines.next()) {
     const std::uint64_t columns = countOf(lines, lines.numbers());
     const std::uint64_t rows = countOf(lines, nextNumbers(lines, 1, "of rows"));
+    has_grid = has_grid || (columns > 1 && rows > 1);
     const Eigen::Affine3d place = readPlace(lines);
     for (std::uint64_t point = columns * rows; point > 0; --point) {
       if (!lines.next())
@@ -152,7 +154,10 @@ readPTX(std::istream& stream)
       scans.add(lines, place, numbers.data(), numbers.size());
     }
   }
-  return scans.geometry();
+  Geometry geometry = scans.geometry();
+  if (has_grid)
+    geometry.left_out.push_back("the grids of the scans");
+  return geometry;
 }
 
 } // namespace tool

@@ -21,7 +21,8 @@ isASCII(char byte)
   return (byte >= ' ' && byte <= '~') || (byte >= '\t' && byte <= '\r');
 }
 
-/** By the mark at the start, or by which bytes of characters of ASCII are zeros. */
+/** By the mark at the start, or by which bytes of most characters, which are of ASCII,
+ * are zeros. */
 Order
 orderOf(std::string_view start)
 {
@@ -32,12 +33,16 @@ orderOf(std::string_view start)
     return Order::LITTLE;
   if (start.substr(0, 2) == "\xFE\xFF")
     return Order::BIG;
-  bool is_little = start.size() >= 8, is_big = is_little;
+  std::size_t little = 0, big = 0;
   for (std::size_t i = 0; i + 1 < start.size(); i += 2) {
-    is_little = is_little && isASCII(start[i]) && start[i + 1] == '\0';
-    is_big = is_big && start[i] == '\0' && isASCII(start[i + 1]);
+    little += isASCII(start[i]) && start[i + 1] == '\0';
+    big += start[i] == '\0' && isASCII(start[i + 1]);
   }
-  return is_little ? Order::LITTLE : is_big ? Order::BIG : Order::NONE;
+  const std::size_t units = start.size() / 2;
+  const auto are_most = [&](std::size_t number) {
+    return units >= 4 && 4 * number >= 3 * units;
+  };
+  return are_most(little) ? Order::LITTLE : are_most(big) ? Order::BIG : Order::NONE;
 }
 
 void

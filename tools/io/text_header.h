@@ -28,13 +28,17 @@ commentMark(std::string_view line);
 
 /** \brief The columns of a text, by the titles above them. */
 struct TextHeader {
-  /** \brief As fieldNames() gives them. */
+  /** \brief As fieldNames() gives them; there may be more columns. */
   std::vector<std::string> names;
   /** \brief What marks the line of the names as a comment, if anything. */
   std::string mark;
+  std::size_t line;
+  /** \brief Whether the names may be those of the first columns alone. */
+  bool is_start_of_row;
 };
 
-/** \brief Find the title that names the columns.
+/** \brief Find the title that names the columns, or, where none has as many names,
+ * the last one that names others.
  * \param[in] delimiter of the rows; titles may have another one
  * \param[in] columns how many the rows have
  * \return nothing where no title names x, y and z
@@ -42,6 +46,14 @@ struct TextHeader {
  */
 std::optional<TextHeader>
 headerOf(const std::vector<Title>& titles, Delimiter delimiter, std::size_t columns);
+
+/** \brief Whether a title names all columns, and x, y and z among them. */
+bool
+namesAll(const std::vector<Title>& titles, Delimiter delimiter, std::size_t columns);
+
+/** \brief Names of columns, and before them one for that of the numbers of rows. */
+std::vector<std::string>
+namesBehindRow(std::vector<std::string> names);
 
 /** \brief A title that may have been meant to name the columns, where none does; null
  * where there is none such.

@@ -5,6 +5,7 @@
 #include "text_lines.h"
 
 #include "numbers.h"
+#include "white_space.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,23 +18,13 @@ namespace {
 constexpr const char* WHITE_SPACE = " \t\r\n\v\f";
 
 bool
-isWhite(char character)
+isSpace(char character)
 {
-  return character == ' ' || (character >= '\t' && character <= '\r');
+  return character == ' ' || character == '\r';
 }
 
 /** A file that is no text need not have ends of lines. */
 constexpr std::size_t LONGEST_LINE = 1 << 24;
-
-std::string_view
-trimmed(std::string_view text)
-{
-  while (!text.empty() && isWhite(text.front()))
-    text.remove_prefix(1);
-  while (!text.empty() && isWhite(text.back()))
-    text.remove_suffix(1);
-  return text;
-}
 
 /** What ends the first line, and so all others: old Macs have carriage returns alone.
  */
@@ -53,18 +44,16 @@ endOfLine(std::istream& stream)
   return is_alone ? '\r' : '\n';
 }
 
-/** The text before its comment. No # starts one in 1.#QNAN, as some programs write what
- * is no number. */
+} // namespace
+
 std::string_view
 withoutComment(std::string_view text)
 {
   auto at = text.find('#');
-  while (at != std::string_view::npos && at > 0 && text[at - 1] == '.')
+  while (at != std::string_view::npos && at > 0 && !isWhite(text[at - 1]))
     at = text.find('#', at + 1);
   return text.substr(0, at);
 }
-
-} // namespace
 
 TextLines::TextLines(std::istream& stream, Style style)
 : stream_(stream)
@@ -96,11 +85,18 @@ TextLines::readLine()
       fail("starts with a byte order mark; save the file without it");
     text.remove_prefix(3);
   }
-  if (style_ == Style::FREE || style_ == Style::COMMENTED)
+  if (style_ == Style::COMMENTED)
     text = withoutComment(text);
-  text_ = trimmed(text);
-  if (style_ == Style::FREE && text_.compare(0, 2, "//") == 0)
-    text_.clear();
+  const std::string_view inner = trimmed(text);
+  if (style_ == Style::COLUMNS && !inner.empty()) {
+    while (isSpace(text.front()))
+      text.remove_prefix(1);
+    while (isSpace(text.back()))
+      text.remove_suffix(1);
+    text_ = text;
+  }
+  else
+    text_ = inner;
   return true;
 }
 
@@ -117,11 +113,14 @@ TextLines::next()
 void
 TextLines::join()
 {
-  std::string before = text_;
+  std::string before = std::move(text_);
   before.back() = ' ';
   if (!readLine())
     text_.clear();
-  text_ = before + text_;
+  if (before.size() + text_.size() > LONGEST_LINE)
+    fail("is too long for a line of text");
+  before += text_;
+  text_ = std::move(before);
 }
 
 const std::string&
@@ -144,21 +143,12 @@ TextLines::putBack(const std::string& word)
   text_ = std::string(trimmed(word + ' ' + text_));
 }
 
-void
-TextLines::cutComment()
-{
-  const auto size = withoutComment(text_).size();
-  if (size < text_.size())
-    text_ = std::string(trimmed(std::string_view(text_).substr(0, size)));
-}
-
 bool
 TextLines::startsWithNumber() const
 {
   double number;
   const std::string_view text = text_;
-  const std::string_view word =
-      trimmed(text.substr(0, text.find_first_of(separators())));
+  const std::string_view word = text.substr(0, text.find_first_of(WHITE_SPACE));
   return parseNumber(word, number) ||
          (!word.empty() && word.find_first_of("+-.0123456789") == 0);
 }
@@ -167,24 +157,12 @@ const std::vector<std::string_view>&
 TextLines::words()
 {
   words_.clear();
-  const char* separators = this->separators();
-  const std::string_view text = text_;
-  if (separators == WHITE_SPACE) {
-    for (const char *here = text.data(), *end = here + text.size(); here != end;) {
-      const char* word = std::find_if_not(here, end, isWhite);
-      here = std::find_if(word, end, isWhite);
-      if (word != here)
-        words_.push_back({word, static_cast<std::size_t>(here - word)});
-    }
-    return words_;
+  for (const char *here = text_.data(), *end = here + text_.size(); here != end;) {
+    const char* word = std::find_if_not(here, end, isWhite);
+    here = std::find_if(word, end, isWhite);
+    if (word != here)
+      words_.push_back({word, static_cast<std::size_t>(here - word)});
   }
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const auto end = std::min(text.find(*separators, begin), text.size());
-    words_.push_back(trimmed(text.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  if (!words_.empty() && words_.back().empty()) // a separator may stand at the end
-    words_.pop_back();
   return words_;
 }
 
@@ -202,16 +180,6 @@ TextLines::numbers(std::size_t first)
     numbers_.push_back(number);
   }
   return numbers_;
-}
-
-const char*
-TextLines::separators() const
-{
-  if (style_ == Style::FREE)
-    for (const char* separator : {";", ","})
-      if (text_.find(separator) != std::string::npos)
-        return separator;
-  return WHITE_SPACE;
 }
 
 void

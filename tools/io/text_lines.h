@@ -11,6 +11,12 @@
 
 namespace tool {
 
+/** \brief The text before its comment, which starts with a # at the start or behind
+ * white space.
+ */
+std::string_view
+withoutComment(std::string_view text);
+
 /** \brief Goes through a text file line by line and reads lines as rows of numbers.
  *
  * The point is the decimal separator whatever the locale. Blank lines are skipped.
@@ -19,15 +25,14 @@ namespace tool {
 class TextLines {
 public:
   enum class Style {
-    FREE,      ///< numbers stand apart by white space, or semicolons, or commas; what
-               ///< follows a # or starts with // is skipped
     COMMENTED, ///< words stand apart by white space; what follows a # is skipped
     RAW,       ///< words stand apart by white space, and there are no comments
+    COLUMNS,   ///< as RAW, but tabs at the ends of a line stay: columns may be empty
     STRICT     ///< as RAW, but there must be no byte order mark
   };
 
   /** \param[in] stream must outlive this object */
-  explicit TextLines(std::istream& stream, Style style = Style::FREE);
+  explicit TextLines(std::istream& stream, Style style);
 
   /** \brief Go to the next line.
    * \return false at the end of the file
@@ -47,7 +52,8 @@ public:
     return line_number_;
   }
 
-  /** \brief The line without comments and surrounding white space. */
+  /** \brief The line without comments and surrounding white space; empty where there
+   * is nothing else. */
   const std::string&
   text() const;
 
@@ -58,10 +64,6 @@ public:
   /** \brief Put a word back before the line. */
   void
   putBack(const std::string& word);
-
-  /** \brief Leave out what starts with a # in the line, if anything. */
-  void
-  cutComment();
 
   /** \brief Whether the line starts with a number, or with what should be one. */
   bool
@@ -88,10 +90,6 @@ public:
   fail(const std::string& problem) const;
 
 private:
-  /** \brief The characters that separate the numbers of the line. */
-  const char*
-  separators() const;
-
   /** \brief Read the next line, whatever it holds. \return false at the end */
   bool
   readLine();

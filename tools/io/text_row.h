@@ -5,11 +5,13 @@
 #pragma once
 
 #include "fields.h"
+#include "numbers.h"
 #include "vector_field.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <ostream>
 #include <string>
 #include <type_traits>
@@ -49,21 +51,23 @@ public:
     text_ += word;
   }
 
-  /** \brief Add the numbers of a field of a point. */
+  /** \brief Add the numbers of a field of a point; of colours perhaps not alpha. */
   void
-  addField(const pcl::PCLPointField& field, const std::uint8_t* point)
+  addField(const pcl::PCLPointField& field,
+           const std::uint8_t* point,
+           bool with_alpha = true)
   {
     if (isPackedColour(field)) {
       const auto colour = getColour(field, point);
-      for (std::size_t i = 0; i < (field.name == "rgba" ? 4 : 3); ++i)
+      for (std::size_t i = 0; i < (field.name == "rgba" && with_alpha ? 4 : 3); ++i)
         addNumber(static_cast<int>(colour[i]));
       return;
     }
     for (std::size_t i = 0; i < std::max<std::size_t>(field.count, 1); ++i)
-      if (field.datatype == pcl::PCLPointField::FLOAT32)
-        addNumber(static_cast<float>(getNumber(field, point, i)));
-      else
-        addNumber(getNumber(field, point, i));
+      withType(field.datatype, [&](auto value) {
+        std::memcpy(&value, point + field.offset + i * sizeof value, sizeof value);
+        addNumber(value);
+      });
   }
 
   void
@@ -114,11 +118,12 @@ inline Row
 rowOf(const std::string& keyword,
       const Fields& fields,
       const std::uint8_t* point,
-      char separator = ' ')
+      char separator = ' ',
+      bool with_alpha = true)
 {
   Row row(keyword, separator);
   for (const auto* field : fields)
-    row.addField(*field, point);
+    row.addField(*field, point, with_alpha);
   return row;
 }
 

@@ -5,6 +5,7 @@
 #include "text_rows.h"
 
 #include "numbers.h"
+#include "white_space.h"
 
 #include <boost/algorithm/string/predicate.hpp>
 
@@ -13,22 +14,6 @@
 
 namespace tool {
 namespace {
-
-bool
-isWhite(char c)
-{
-  return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
-std::string_view
-trimmed(std::string_view text)
-{
-  while (!text.empty() && isWhite(text.front()))
-    text.remove_prefix(1);
-  while (!text.empty() && isWhite(text.back()))
-    text.remove_suffix(1);
-  return text;
-}
 
 std::string_view
 unquoted(std::string_view word)

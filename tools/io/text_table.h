@@ -7,7 +7,7 @@
 #include "file_format.h"
 #include "geometry.h"
 
-#include <optional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,7 +27,11 @@ struct TextTable {
   /** \brief Whether the file names its columns, and what marks that line. */
   bool has_names = false;
   std::string header_mark;
+  /** \brief Where x, y and z start if the file does not name its columns. */
+  std::size_t first_position = 0;
   std::vector<Kind> kinds;
+  /** \brief What made words of columns of numbers, by their numbers. */
+  std::map<std::size_t, std::string> strays;
   /** \brief Of all rows with a point, row by row; of words nothing. */
   std::vector<double> values;
   std::size_t rows_without_point = 0, first_without_point = 0;
@@ -38,11 +42,17 @@ struct TextTable {
   isPosition(std::size_t column) const
   {
     if (!has_names)
-      return column < 3;
+      return column >= first_position && column < first_position + 3;
     const auto& name = names[column];
     return name == "x" || name == "y" || name == "z";
   }
 };
+
+/** \brief Whether the first column holds the numbers of rows: whole ones, each one more
+ * than the one before it.
+ */
+bool
+firstColumnCounts(const TextTable& table);
 
 /** \brief The points of a table.
  *

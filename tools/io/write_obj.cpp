@@ -42,15 +42,20 @@ private:
 void
 writeStatements(std::ostream& stream, const Geometry& geometry)
 {
-  const PointLines points(geometry.cloud);
+  const auto& cloud = geometry.cloud;
+  const Fields position = selectFields(cloud, VectorField::POSITION);
   const auto& statements = geometry.statements;
   const std::string_view text = statements.text;
   std::size_t point = 0, normal = 0;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = text.find('\n', begin);
     const std::string_view line = text.substr(begin, end - begin);
-    if (line == "v")
-      points.write(stream, point++);
+    if (line == "v" || line.substr(0, 2) == "v ") {
+      Row row = rowOf("v", position, &cloud.data[point++ * cloud.point_step]);
+      if (line.size() > 2) // its colour
+        row.addWord(std::string(line.substr(2)));
+      row.writeTo(stream);
+    }
     else if (line == "vn") {
       Row row("vn");
       for (const double number : statements.normals[normal++])
@@ -79,10 +84,14 @@ writeOBJ(std::ostream& stream, const Geometry& geometry)
       rowOf("vn", normal, &cloud.data[i * cloud.point_step]).writeTo(stream);
   }
   for (const auto& face : geometry.faces) {
-    Row row("f");
+    const std::size_t corners = face.vertices.size();
+    if (corners == 0)
+      continue;
+    const bool is_face = corners > 2; // OBJ has lines and points, too
+    Row row(is_face ? "f" : corners == 2 ? "l" : "p");
     for (const auto vertex : face.vertices) {
       const std::string number = std::to_string(vertex + 1);
-      row.addWord(normal.empty() ? number : number + "//" + number);
+      row.addWord(normal.empty() || !is_face ? number : number + "//" + number);
     }
     row.writeTo(stream);
   }

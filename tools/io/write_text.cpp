@@ -39,16 +39,30 @@ addTitles(Row& row, const pcl::PCLPointField& field)
     row.addWord(name);
 }
 
-/** Whether readers know what is in the columns without names: positions come first, and
- * normals have unit length. */
+/** Whether the first row would be taken for the numbers of the columns. */
 bool
-needsNames(const Fields& fields)
+startsWithNumbersOfColumns(const Geometry& geometry)
 {
-  return std::any_of(fields.begin() + 3, fields.end(), [](const auto* field) {
-    const auto& normal = VectorField::NORMAL;
-    return isNamed(*field) &&
-           std::find(normal.begin(), normal.end(), field->name) == normal.end();
-  });
+  const Points points = positionsOf(geometry);
+  const auto first = std::find_if(points.begin(), points.end(),
+                                  [](const auto& point) { return point.allFinite(); });
+  return first != points.end() && *first == Eigen::Vector3d(0.0, 1.0, 2.0);
+}
+
+/** Whether readers do not know what is in the columns without names: positions come
+ * first, and normals of unit length behind them. */
+bool
+needsNames(const Fields& fields, const Geometry& geometry)
+{
+  const auto is_named = [](const auto* field) { return isNamed(*field); };
+  const bool has_normals =
+      fields.size() >= 6 &&
+      std::equal(
+          VectorField::NORMAL.begin(), VectorField::NORMAL.end(), fields.begin() + 3,
+          [](const char* name, const auto* field) { return field->name == name; });
+  return std::any_of(fields.begin() + (has_normals ? 6 : 3), fields.end(), is_named) ||
+         (has_normals && !areNormalsByLength(geometry)) ||
+         startsWithNumbersOfColumns(geometry);
 }
 
 /** What marks the line of the names: as in the file that was read, else as a comment.
@@ -60,19 +74,18 @@ markOf(const Geometry& geometry)
   return mark.empty() || mark == "//" ? mark : mark + ' ';
 }
 
-/** The fields that files of columns without names have room for. */
+/** The fields that PTS has room for. */
 Fields
-fieldsOfPTS(const pcl::PCLPointCloud2& cloud)
+fieldsOfPTS(const Geometry& geometry)
 {
+  const auto& cloud = geometry.cloud;
   Fields fields = selectFields(cloud, VectorField::POSITION);
   for (const char* name : {"intensity", "rgb", "rgba"})
     if (const auto* field = findField(cloud, name))
       fields.push_back(field);
-  for (const auto& field : cloud.fields)
-    if (!isNamed(field))
-      fields.push_back(&field);
   const Fields normal = normalFields(cloud);
-  fields.insert(fields.end(), normal.begin(), normal.end());
+  if (areNormalsByLength(geometry))
+    fields.insert(fields.end(), normal.begin(), normal.end());
   return fields;
 }
 
@@ -88,10 +101,11 @@ writeText(std::ostream& stream, const Geometry& geometry, FileFormat format)
     if (!isPadding(field) && std::count(fields.begin(), fields.end(), &field) == 0)
       fields.push_back(&field);
   if (format == FileFormat::PTS) {
-    fields = fieldsOfPTS(cloud);
+    fields = fieldsOfPTS(geometry);
     stream << numberOfPoints(cloud) << '\n';
   }
-  else if (format == FileFormat::CSV || geometry.header_mark || needsNames(fields)) {
+  else if (format == FileFormat::CSV || geometry.header_mark ||
+           needsNames(fields, geometry)) {
     Row titles("", separator);
     for (const auto* field : fields)
       addTitles(titles, *field);
@@ -100,7 +114,9 @@ writeText(std::ostream& stream, const Geometry& geometry, FileFormat format)
     titles.writeTo(stream);
   }
   for (std::size_t i = 0; i < numberOfPoints(cloud); ++i)
-    rowOf("", fields, &cloud.data[i * cloud.point_step], separator).writeTo(stream);
+    rowOf("", fields, &cloud.data[i * cloud.point_step], separator,
+          format != FileFormat::PTS)
+        .writeTo(stream);
 }
 
 } // namespace tool
