@@ -159,8 +159,8 @@ TEST_F(HostileRun, OptionsOutOfAllBounds)
                                              {"--time-limit", "-1"},
                                              {"--time-limit", "nan"},
                                              {"--time-limit", "1e300"},
-                                             {"--iterations", "0"},
-                                             {"--iterations", "1e9"}}) {
+                                             {"--max-iterations", "0"},
+                                             {"--max-iterations", "1e9"}}) {
     std::vector<std::string> arguments{"cloud.xyz", "cloud.xyz"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     const Outcome outcome = run(arguments);
