@@ -148,11 +148,12 @@ struct CloudRegistration::Implementation {
     if (guess)
       guessed_scale = scaleOf(*guess);
 
-    const LocalCloud local_source = toLocalCloud(source, source_points);
     const LocalCloud local_target = toLocalCloud(target, target_points);
 
     // a handful of points has no surface, but may be a copy
-    result.alternatives = copiesOf(local_source, local_target, asked, guess);
+    if (source_points.indices.size() <= most_points_of_copies)
+      result.alternatives =
+          copiesOf(toLocalCloud(source, source_points), local_target, asked, guess);
     if (!result.alternatives.empty()) {
       result.transformation = result.alternatives.front().transformation;
       result.mode = Mode::GLOBAL_GLOBAL;
@@ -164,8 +165,8 @@ struct CloudRegistration::Implementation {
 
     // simplification, pre-shapes, {C} x {O}, energies, minima, ICP on each
     Alignment& alignment_stage = alignmentFor(asked);
-    const Aligned aligned =
-        alignment_stage.align(local_source, local_target, guessed_scale, stages);
+    const Aligned aligned = alignment_stage.align(toLocalCloud(source, source_points),
+                                                  local_target, guessed_scale, stages);
     result.device = alignment_stage.deviceName();
 
     // ICP on the clouds themselves, (e11), and the choice among the poses

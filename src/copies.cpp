@@ -16,8 +16,8 @@ namespace pcl {
 namespace kss {
 namespace {
 
-/** Three points fit others by chance; more than so many have surfaces. */
-constexpr Eigen::Index fewest = 4, most = 40;
+/** Three points fit others by chance. */
+constexpr Eigen::Index fewest = 4;
 
 /** How far the points of a copy are off, in root mean square radii: what single
  * precision leaves of coordinates a thousand radii away from the origin. */
@@ -148,7 +148,8 @@ copiesOf(const LocalCloud& source,
          const std::optional<StoredPose>& guess)
 {
   const Eigen::Index size = source.points.cols();
-  if (size != target.points.cols() || size < fewest || size > most)
+  if (size != target.points.cols() || size < fewest ||
+      static_cast<std::size_t>(size) > most_points_of_copies)
     return {};
   const Constellation from(source), to(target);
   if (!(from.radius > 0.0 && to.radius > 0.0))

@@ -177,15 +177,15 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
   const auto [source_points, target_points] = usablePoints(guessed);
   far_points_ = {source_points.far, target_points.far};
 
-  const kss::LocalCloud local_source = kss::toLocalCloud(*input_, source_points);
-  const kss::LocalCloud local_target = kss::toLocalCloud(*target_, target_points);
-
   // a handful of points has no surface, but may be a copy
-  const kss::Alternatives copies =
-      kss::copiesOf(local_source, local_target, settings_, guessed);
-  if (!copies.empty()) {
-    acceptCopies(copies);
-    return;
+  if (source_points.indices.size() <= kss::most_points_of_copies) {
+    const kss::Alternatives copies =
+        kss::copiesOf(kss::toLocalCloud(*input_, source_points),
+                      kss::toLocalCloud(*target_, target_points), settings_, guessed);
+    if (!copies.empty()) {
+      acceptCopies(copies);
+      return;
+    }
   }
 
   // simplification, pre-shapes, {C} x {O}, energies, minima, ICP on each
@@ -193,8 +193,9 @@ KSSICP<PointSource, PointTarget, Scalar>::registerClouds(const Matrix4& guess)
   std::optional<double> guessed_scale;
   if (guessed)
     guessed_scale = kss::scaleOf(*guessed);
-  const kss::Aligned aligned =
-      alignment.align(local_source, local_target, guessed_scale, stages_);
+  const kss::Aligned aligned = alignment.align(
+      kss::toLocalCloud(*input_, source_points),
+      kss::toLocalCloud(*target_, target_points), guessed_scale, stages_);
   device_name_ = alignment.deviceName();
 
   // ICP on the clouds themselves, (e11), and the choice among the poses
