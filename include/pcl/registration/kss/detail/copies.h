@@ -19,7 +19,8 @@ namespace kss {
 constexpr std::size_t most_points_of_copies = 40;
 
 /** \brief The poses at which a cloud is an exact copy of another one, rounding aside,
- * where it has so few points, four to \ref most_points_of_copies, that there is no surface to go by.
+ * where it has so few points, four to \ref most_points_of_copies, that there is no
+ * surface to go by.
  * \param[in] source
  * \param[in] target
  * \param[in] settings scale and axis of rotation
