@@ -81,16 +81,6 @@ set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS pcl-kss-icp-view)
 
 set(CPACK_DEBIAN_VIEW_PACKAGE_NAME pcl-kss-icp-view)
 set(CPACK_DEBIAN_VIEW_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_VIEW_PACKAGE_DEPENDS "pcl-kss-icp (= ${debian_version})")
-set(CPACK_COMPONENT_VIEW_DESCRIPTION
-"registration of point clouds without a guess - viewer
-What pcl_kss_icp --view shows a result with: the clouds, the distances between
-them, and the other poses that fit as well.
-
-${about}")
-
-set(CPACK_DEBIAN_VIEW_PACKAGE_NAME pcl-kss-icp-view)
-set(CPACK_DEBIAN_VIEW_PACKAGE_SECTION science)
 set(CPACK_COMPONENT_VIEW_DESCRIPTION
 "registration of point clouds without a guess - viewer
 The window in which pcl_kss_icp --view shows two clouds, one placed upon the
