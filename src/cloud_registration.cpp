@@ -34,11 +34,11 @@ placesOf(const Cloud& cloud)
   return [&cloud](Index i) { return cloud.points.col(i); };
 }
 
-/** The indices of all points. */
+/** The indices of so many points. */
 std::vector<Index>
-allIndices(const Cloud& cloud)
+allIndices(Eigen::Index size)
 {
-  std::vector<Index> all(cloud.points.cols());
+  std::vector<Index> all(size);
   std::iota(all.begin(), all.end(), 0);
   return all;
 }
@@ -53,7 +53,7 @@ usablePointsOf(const char* name, const Cloud& cloud)
       throw std::invalid_argument("it has " + std::to_string(cloud.points.cols()) +
                                   " points and " +
                                   std::to_string(cloud.normals.cols()) + " normals");
-    return usablePoints(placesOf(cloud), allIndices(cloud));
+    return usablePoints(placesOf(cloud), allIndices(cloud.points.cols()));
   });
 }
 
@@ -87,9 +87,8 @@ finalPoints(const Cloud& source, const UsablePoints<Index>& usable, std::size_t 
 double
 roundingErrorOf(const LocalCloud& cloud)
 {
-  std::vector<Index> all(cloud.points.cols());
-  std::iota(all.begin(), all.end(), 0);
-  return std::sqrt(roundingError([&](Index i) { return cloud.points.col(i); }, all));
+  return std::sqrt(roundingError([&](Index i) { return cloud.points.col(i); },
+                                 allIndices(cloud.points.cols())));
 }
 
 /** The mirror image of a cloud, at a scale. */

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "clouds.h"
+#include "quick.h"
 
 #include <pcl/registration/kss_icp.h>
 
@@ -53,16 +54,15 @@ set(Registration& registration,
   registration.setSettings(settings);
 }
 
-/** \brief Few samples: enough for these shapes. One thread: on a busy machine, threads
- * that wait for each other take many times as long over so little work. Both clouds
- * complete: what does not hang on the mode need not wait for the others. */
+/** \brief Points that the clouds of pairs are simplified to. */
+constexpr unsigned int quick_points = 200;
+
+/** \brief Have a registration take no longer than it needs for such pairs. */
 template <typename Registration>
 void
 makeQuick(Registration& registration)
 {
-  registration.setMode(pcl::kss::Mode::GLOBAL_GLOBAL);
-  set(registration, &pcl::kss::Settings::sample_points, 200);
-  registration.setNumberOfThreads(1);
+  registration.setSettings(quickSettings(quick_points, registration.getSettings()));
 }
 
 template <typename Registration, typename PairT>

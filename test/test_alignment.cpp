@@ -4,6 +4,7 @@
 
 #include "local_cloud.h"
 #include "poses.h"
+#include "quick.h"
 
 #include <pcl/registration/kss/alignment.h>
 #include <pcl/registration/kss/detail/similarity.h>
@@ -19,17 +20,10 @@ namespace {
 using namespace kss_test;
 using namespace pcl::kss;
 
-/** As many points as it takes: 2000 are for real scans. One thread: on a busy machine,
- * threads that wait for each other take many times as long over so little work. Both
- * clouds complete: what does not hang on the mode need not wait for the others. */
 Settings
 quick()
 {
-  Settings settings;
-  settings.mode = Mode::GLOBAL_GLOBAL;
-  settings.sample_points = 300;
-  settings.threads = 1;
-  return settings;
+  return quickSettings(300);
 }
 
 template <typename AlignmentT>

@@ -28,11 +28,7 @@ using namespace pcl::kss;
 Settings
 quick()
 {
-  Settings settings;
-  settings.mode = Mode::GLOBAL_GLOBAL;
-  settings.sample_points = 200;
-  settings.threads = 1;
-  return settings;
+  return quickSettings(quick_points);
 }
 
 struct CloudPair {

@@ -4,6 +4,8 @@
 
 #include "geometry/turns.h"
 
+#include <pcl/registration/kss/detail/similarity.h>
+
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
@@ -57,7 +59,7 @@ turnedAbout(RotationAxis axis,
   if (axis == RotationAxis::ANY)
     return similarity;
   const Eigen::Matrix3d linear = similarity.topLeftCorner<3, 3>();
-  const double scale = std::cbrt(linear.determinant());
+  const double scale = scaleOf(similarity);
   StoredPose turned = similarity;
   turned.topLeftCorner<3, 3>() = scale * nearestRotation(linear / scale, axis);
   turned.topRightCorner<3, 1>() += (linear - turned.topLeftCorner<3, 3>()) * point;

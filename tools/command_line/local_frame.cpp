@@ -24,11 +24,8 @@ localOrigin(const pcl::PCLPointCloud2& cloud)
   for (std::size_t i = 0; i < numberOfPoints(cloud); ++i)
     if (at(i).allFinite())
       finite.push_back(static_cast<pcl::index_t>(i));
-  std::vector<Eigen::Vector3d> some;
-  for (const pcl::index_t i : pcl::kss::spread(finite, pcl::kss::bulk_points))
-    some.push_back(at(static_cast<std::size_t>(i)));
   // the middle of the box is wherever a point far away from all others puts it
-  const pcl::kss::Bulk bulk = pcl::kss::bulkOf(some);
+  const pcl::kss::Bulk bulk = pcl::kss::bulkOf(at, finite);
   pcl::kss::throwIfTooWide(bulk);
   return bulk.middle;
 }

@@ -4,10 +4,11 @@
 
 #include "distances.h"
 
-#include <pcl/registration/kss/detail/cloud_conversion.h>
+#include <pcl/registration/kss/detail/usable_points.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace tool {
 namespace {
@@ -34,17 +35,15 @@ roundedUp(double value)
 
 /** An order in which points that follow each other lie close together: neighbours ask
  * for the same. */
-pcl::Indices
+std::vector<std::size_t>
 orderInSpace(const Points& points)
 {
-  pcl::PointCloud<pcl::PointXYZ> cloud;
-  cloud.reserve(points.size());
-  for (const auto& point : points) {
-    const Eigen::Vector3f local = (point - points.front()).cast<float>();
-    cloud.push_back({local.x(), local.y(), local.z()});
-  }
-  pcl::Indices order = pcl::kss::allIndices(cloud);
-  pcl::kss::sortInSpace(pcl::kss::placesOf(cloud), order);
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto local = [&](std::size_t i) -> Eigen::Vector3d {
+    return points[i] - points.front();
+  };
+  pcl::kss::sortInSpace(local, order);
   return order;
 }
 
@@ -90,9 +89,9 @@ distancesOf(const Points& points, const NearestPoints& others)
   Distances distances{};
   double sum = 0.0;
   distances.all.resize(points.size());
-  for (const pcl::index_t i : orderInSpace(points)) {
-    double& distance = distances.all[static_cast<std::size_t>(i)];
-    distance = others.distanceFrom(points[static_cast<std::size_t>(i)]);
+  for (const std::size_t i : orderInSpace(points)) {
+    double& distance = distances.all[i];
+    distance = others.distanceFrom(points[i]);
     sum += distance * distance;
   }
   distances.root_mean_square = std::sqrt(sum / points.size());

@@ -36,15 +36,15 @@ visible(const Points& points)
       finite.push_back(static_cast<pcl::index_t>(i));
   if (finite.empty())
     return {Eigen::Vector3d::Zero()}; // a dot says that there is nothing to see
-  Points some;
-  for (const pcl::index_t i : pcl::kss::spread(finite, pcl::kss::bulk_points))
-    some.push_back(points[static_cast<std::size_t>(i)]);
-  const pcl::kss::Bulk bulk = pcl::kss::bulkOf(some);
+  const auto place = [&](pcl::index_t i) {
+    return points[static_cast<std::size_t>(i)];
+  };
+  const pcl::kss::Bulk bulk = pcl::kss::bulkOf(place, finite);
   Points visible;
   visible.reserve(finite.size());
   for (const pcl::index_t i : finite)
-    if (bulk.holds(points[static_cast<std::size_t>(i)]))
-      visible.push_back(points[static_cast<std::size_t>(i)]);
+    if (bulk.holds(place(i)))
+      visible.push_back(place(i));
   return visible;
 }
 
