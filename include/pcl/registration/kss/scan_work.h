@@ -1,0 +1,147 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * What is done with scans one by one and two by two: tasks that do not depend on each
+ * other, for threads or for processes.
+ */
+
+#pragma once
+
+#include <pcl/registration/kss/multiview.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace pcl {
+namespace kss {
+
+/** \brief A piece of work. */
+struct ScanTask {
+  enum class Kind {
+    DESCRIBE, ///< what the scan \ref source is like
+    REGISTER, ///< register \ref source and \ref target without a guess
+    ADJUST,   ///< register them from \ref pose alone, and say how precisely they lie
+    JUDGE     ///< what the two say of \ref pose
+  };
+
+  Kind kind = Kind::DESCRIBE;
+  std::size_t source = 0, target = 0;
+  /** \brief A pose of the source on the target. */
+  StoredPose pose = StoredPose::Identity();
+};
+
+/** \brief What a scan is like. */
+struct ScanDescription {
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  /** \brief The covariance of its points. */
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  /** \brief Points of it, a few hundred, that cover it evenly. */
+  Eigen::Matrix3Xf outline;
+  /** \brief The usual spacing of its points, as those are that judge. */
+  double spacing = 0.0;
+  /** \brief What its surface is like here and there, in turn-free words: a column per
+   * place. */
+  Eigen::MatrixXf features;
+  std::size_t far_points = 0; ///< points that are too far away from the others
+};
+
+/** \brief What has come of a task. */
+struct ScanAnswer {
+  /** \brief Why there is nothing: a scan that cannot be read or used. */
+  Failure failure;
+  ScanDescription description; ///< of DESCRIBE
+  /** \brief Of REGISTER, ADJUST and JUDGE: the latter two have one pose. */
+  PairResult pair;
+};
+
+/** \brief Those who do the work. */
+class PCL_KSS_ICP_EXPORT ScanCrew {
+public:
+  virtual ~ScanCrew();
+
+  /** \brief Do tasks, side by side and in any order.
+   * \param[in] tasks
+   * \param[in] done told of each as it ends, its number first; from one thread at a
+   * time
+   */
+  virtual void
+  work(const std::vector<ScanTask>& tasks,
+       const std::function<void(std::size_t, ScanAnswer)>& done) = 0;
+};
+
+/** \brief Where scans come from: called with a scan's number, from several threads;
+ * throws where it cannot be had. */
+using ScanLoader = std::function<Cloud(std::size_t)>;
+
+/** \brief Does tasks; those of several threads may run at the same time.
+ *
+ * What has been made of a scan is kept as long as there is room.
+ */
+class PCL_KSS_ICP_EXPORT ScanWorker {
+public:
+  /** \param[in] settings of all registrations; each runs in one thread
+   * \param[in] load gives the scans
+   * \param[in] room for what is made of scans, in bytes
+   */
+  ScanWorker(const Settings& settings, ScanLoader load, std::size_t room);
+
+  ~ScanWorker();
+
+  /** \brief Do a task; nothing is thrown. */
+  ScanAnswer
+  answer(const ScanTask& task);
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/** \brief A crew of threads around a worker. */
+class PCL_KSS_ICP_EXPORT ThreadCrew : public ScanCrew {
+public:
+  /** \param[in] worker kept by reference
+   * \param[in] threads 0: as many as there are cores
+   */
+  ThreadCrew(ScanWorker& worker, unsigned int threads);
+
+  void
+  work(const std::vector<ScanTask>& tasks,
+       const std::function<void(std::size_t, ScanAnswer)>& done) override;
+
+private:
+  ScanWorker& worker_;
+  unsigned int threads_;
+};
+
+/** \brief How many scans become a model. */
+struct MultiviewSettings {
+  /** \brief Up to so many scans, all pairs are tried. */
+  std::size_t all_pairs = 25;
+  /** \brief Of more scans, so many partners are tried for each to begin with. */
+  std::size_t partners = 8;
+  /** \brief Whether the poses are refined by all overlapping pairs at once. */
+  bool refine = true;
+};
+
+/** \brief Find the poses of scans.
+ *
+ * Pairs are registered; loops of pairs, and what other scans show, tell right ones from
+ * wrong ones; poses follow from all right ones, and are refined jointly. Nothing is
+ * thrown.
+ * \param[in] scans how many there are
+ * \param[in] settings
+ * \param[in] crew does the work
+ * \param[in] progress told of stages and the share of them that is done; may be empty
+ */
+PCL_KSS_ICP_EXPORT Multiview
+connectScans(std::size_t scans,
+             const MultiviewSettings& settings,
+             ScanCrew& crew,
+             const ProgressCallback& progress = {});
+
+} // namespace kss
+} // namespace pcl
