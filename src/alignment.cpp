@@ -24,13 +24,20 @@ struct Alignment::Implementation {
   explicit Implementation(const Settings& asked)
   : settings(asked)
   , preparation(asked)
-  , search(asked.threads, [asked] { return std::make_unique<CandidateSearch>(asked); })
+  , made_search(asked.threads,
+                [asked] { return std::make_unique<CandidateSearch>(asked); })
   {
   }
 
+  /** \brief From two clouds that have been made ready to poses. */
+  Aligned
+  align(const PreparedPair& clouds,
+        const std::optional<double>& guessed_scale,
+        Stages& stages);
+
   Settings settings;
   Preparation preparation;
-  Beside<CandidateSearch> search;
+  Beside<CandidateSearch> made_search;
   std::shared_ptr<const ShapePair> shapes; ///< of the last call
 };
 
@@ -92,28 +99,12 @@ keepTheLikeliest(const PoseScorer& scorer, Alternatives& alternatives)
 
 } // namespace
 
-Alignment::Alignment(const Settings& settings)
-: implementation_(std::make_unique<Implementation>(settings))
-{
-}
-
-// in the library, which has allocated what is in here: a program compiled for other
-// vectors would free it otherwise
-Alignment::~Alignment() = default;
-
 Aligned
-Alignment::align(const LocalCloud& source,
-                 const LocalCloud& target,
-                 const std::optional<double>& guessed_scale,
-                 Stages& stages)
+Alignment::Implementation::align(const PreparedPair& clouds,
+                                 const std::optional<double>& guessed_scale,
+                                 Stages& stages)
 {
-  auto& [settings, preparation, made_search, shapes] = *implementation_;
   const auto done = [&stages](double share) { stages.progress(share); };
-
-  // clean, without heavy noise, and in the order that simplifies them
-  stages.begin("preparation");
-  const PreparedPair clouds = preparation.prepared(source, target, done);
-  stages.end();
 
   // a device that cannot be had ends it here
   CandidateSearch& search = made_search.get();
@@ -159,6 +150,57 @@ Alignment::align(const LocalCloud& source,
   return {alternatives, scorer};
 }
 
+Alignment::Alignment(const Settings& settings)
+: implementation_(std::make_unique<Implementation>(settings))
+{
+}
+
+// in the library, which has allocated what is in here: a program compiled for other
+// vectors would free it otherwise
+Alignment::~Alignment() = default;
+
+Aligned
+Alignment::align(const LocalCloud& source,
+                 const LocalCloud& target,
+                 const std::optional<double>& guessed_scale,
+                 Stages& stages)
+{
+  // clean, without heavy noise, and in the order that simplifies them
+  stages.begin("preparation");
+  const PreparedPair clouds = implementation_->preparation.prepared(
+      source, target, [&stages](double share) { stages.progress(share); });
+  stages.end();
+  return implementation_->align(clouds, guessed_scale, stages);
+}
+
+Aligned
+Alignment::align(const std::shared_ptr<const PreparedCloud>& source,
+                 const std::shared_ptr<const PreparedCloud>& target,
+                 const std::optional<double>& guessed_scale,
+                 Stages& stages)
+{
+  return implementation_->align(pairOf(source, target, settings()), guessed_scale,
+                                stages);
+}
+
+std::shared_ptr<const PreparedCloud>
+Alignment::prepared(const LocalCloud& cloud) const
+{
+  return std::make_shared<PreparedCloud>(
+      kss::prepared(cloud, fingerprintOf(cloud), settings()));
+}
+
+PoseScorer
+Alignment::scorerOf(const std::shared_ptr<const PreparedCloud>& source,
+                    const std::shared_ptr<const PreparedCloud>& target,
+                    const std::optional<double>& guessed_scale)
+{
+  auto& shapes = implementation_->shapes;
+  shapes = shapePair(pairOf(source, target, settings()), guessed_scale, settings(),
+                     shapes.get());
+  return PoseScorer(shapes);
+}
+
 const Settings&
 Alignment::settings() const
 {
@@ -168,7 +210,7 @@ Alignment::settings() const
 std::string
 Alignment::deviceName() const
 {
-  return implementation_->search.get().deviceName();
+  return implementation_->made_search.get().deviceName();
 }
 
 } // namespace kss

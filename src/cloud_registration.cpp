@@ -14,6 +14,7 @@
 #include <pcl/registration/kss/detail/usable_points.h>
 
 #include "final/cloud_icp.h"
+#include "prepared_scan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,6 +92,26 @@ roundingErrorOf(const LocalCloud& cloud)
                                  allIndices(cloud.points.cols())));
 }
 
+/** What the final ICP asks of a source. */
+void
+fillAsSource(const Cloud& cloud,
+             const UsablePoints<Index>& usable,
+             const Settings& settings,
+             PreparedScan& scan)
+{
+  scan.used = finalPoints(cloud, usable, settings.icp_points);
+  scan.centroid = centroidOf(placesOf(cloud), usable.indices);
+}
+
+/** What the final ICP asks of a target. */
+void
+fillAsTarget(PreparedScan& scan)
+{
+  scan.rounding_error = roundingErrorOf(scan.local);
+  scan.tree = std::make_shared<PackedTree>(scan.local.points.data(), 3,
+                                           scan.local.points.cols());
+}
+
 /** The mirror image of a cloud, at a scale. */
 Cloud
 mirrored(const Cloud& cloud, int axis, double scale)
@@ -100,6 +121,25 @@ mirrored(const Cloud& cloud, int axis, double scale)
   image.points.row(axis) *= -1.0;
   image.normals.row(axis) *= -1.0f;
   return image;
+}
+
+FinalClouds
+finalCloudsOf(const PreparedScan& source, const PreparedScan& target, int iterations)
+{
+  FinalClouds clouds;
+  clouds.points = source.used.cols();
+  clouds.iterations = iterations;
+  clouds.rounding_error = target.rounding_error;
+  clouds.source_centroid = source.centroid;
+  return clouds;
+}
+
+void
+throwIfNoSimilarity(const std::optional<StoredPose>& guess)
+{
+  if (guess && !isSimilarity(*guess))
+    throw std::invalid_argument(
+        "The guess is not a rotation, translation and positive scale.");
 }
 
 } // namespace
@@ -132,66 +172,29 @@ struct CloudRegistration::Implementation {
                  Stages& stages,
                  Registered& result)
   {
-    if (guess && !isSimilarity(*guess))
-      throw std::invalid_argument(
-          "The guess is not a rotation, translation and positive scale.");
+    throwIfNoSimilarity(guess);
     const auto source_points = usablePointsOf("source", source);
     const auto target_points = usablePointsOf("target", target);
-    result.far_points = {source_points.far, target_points.far};
-    if (guess && !target_points.bulk.holds(
-                     (*guess * source_points.bulk.middle.homogeneous()).head<3>()))
-      throw std::invalid_argument(
-          "The guess takes the source far away from the target: "
-          "is it in the units of the clouds?");
-    std::optional<double> guessed_scale;
-    if (guess)
-      guessed_scale = scaleOf(*guess);
-
-    const LocalCloud local_target = toLocalCloud(target, target_points);
-
-    // a handful of points has no surface, but may be a copy
-    if (source_points.indices.size() <= most_points_of_copies)
-      result.alternatives =
-          copiesOf(toLocalCloud(source, source_points), local_target, asked, guess);
-    if (!result.alternatives.empty()) {
-      result.transformation = result.alternatives.front().transformation;
-      result.mode = Mode::GLOBAL_GLOBAL;
-      FinalRun at_rest;
-      at_rest.converged = true;
-      result.failure = failureOf(asked, result.alternatives, &at_rest, "", {});
+    PreparedScan source_scan, target_scan;
+    source_scan.bulk = source_points.bulk;
+    source_scan.far = source_points.far;
+    target_scan.bulk = target_points.bulk;
+    target_scan.far = target_points.far;
+    target_scan.local = toLocalCloud(target, target_points);
+    source_scan.local = toLocalCloud(source, source_points);
+    const auto guessed_scale = checkedScale(source_scan, target_scan, guess, result);
+    if (areCopies(asked, source_scan, target_scan, guess, result))
       return;
-    }
 
     // simplification, pre-shapes, {C} x {O}, energies, minima, ICP on each
-    Alignment& alignment_stage = alignmentFor(asked);
-    const Aligned aligned = alignment_stage.align(toLocalCloud(source, source_points),
-                                                  local_target, guessed_scale, stages);
-    result.device = alignment_stage.deviceName();
-
-    // ICP on the clouds themselves, (e11), and the choice among the poses
-    stages.begin("final ICP");
-    const Eigen::Matrix3Xd used = finalPoints(source, source_points, asked.icp_points);
-    FinalClouds clouds;
-    clouds.points = used.cols();
-    clouds.iterations = iterations;
-    clouds.rounding_error = roundingErrorOf(local_target);
-    clouds.source_centroid = centroidOf(placesOf(source), source_points.indices);
-    CloudICP icp(aligned.scorer, used, local_target, clouds.source_centroid,
-                 clouds.rounding_error);
-    FinalStage final_stage(asked, aligned.scorer, clouds, icp, stages);
-    const std::vector<FinalContender> contenders =
-        final_stage.settle(aligned.alternatives, guess);
-    const FinalRun* const run = contenders.front().run.get();
-    result.transformation = contenders.front().alternative.transformation;
-    if (run) {
-      result.precision = run->precision;
-      result.iterations = run->iterations;
-    }
-    result.alternatives = distinctPoses(contenders, aligned.scorer);
-    result.mode = asked.mode == Mode::AUTOMATIC
-                      ? modeOf(result.alternatives.front().overlap)
-                      : asked.mode;
-    stages.end();
+    Alignment& stage = alignmentFor(asked);
+    const Aligned aligned =
+        stage.align(source_scan.local, target_scan.local, guessed_scale, stages);
+    result.device = stage.deviceName();
+    fillAsSource(source, source_points, asked, source_scan);
+    fillAsTarget(target_scan);
+    const FinalOutcome outcome =
+        settle(asked, aligned, source_scan, target_scan, guess, stages, result);
 
     const double given_scale = guessed_scale.value_or(1.0);
     const auto what_would_fit = [&] {
@@ -205,8 +208,135 @@ struct CloudRegistration::Implementation {
           });
     };
     result.failure =
-        failureOf(asked, result.alternatives, run, final_stage.stopped(),
+        failureOf(asked, result.alternatives, outcome.run.get(), outcome.stopped,
                   explains_misfits ? what_would_fit : std::function<std::string()>());
+  }
+
+  /** The same for clouds that have been made ready; does not say what would fit where
+   * nothing does.
+   * \param[in] searches whether there are other poses than the guess
+   */
+  void
+  registerScans(const PreparedScan& source,
+                const PreparedScan& target,
+                const std::optional<StoredPose>& guess,
+                bool searches,
+                Stages& stages,
+                Registered& result)
+  {
+    throwIfNoSimilarity(guess);
+    const auto scale = checkedScale(source, target, guess, result);
+    if (searches && areCopies(settings, source, target, guess, result))
+      return;
+    Alignment& stage = alignmentFor(settings);
+    const Aligned aligned =
+        searches ? stage.align(source.prepared, target.prepared, scale, stages)
+                 : Aligned{{}, stage.scorerOf(source.prepared, target.prepared, scale)};
+    if (searches)
+      result.device = stage.deviceName();
+    const FinalOutcome outcome =
+        settle(settings, aligned, source, target, guess, stages, result);
+    result.failure = failureOf(settings, result.alternatives, outcome.run.get(),
+                               outcome.stopped, {});
+  }
+
+  /** The scale of a guess, which must not lead away from the target. */
+  static std::optional<double>
+  checkedScale(const PreparedScan& source,
+               const PreparedScan& target,
+               const std::optional<StoredPose>& guess,
+               Registered& result)
+  {
+    result.far_points = {source.far, target.far};
+    if (guess &&
+        !target.bulk.holds((*guess * source.bulk.middle.homogeneous()).head<3>()))
+      throw std::invalid_argument(
+          "The guess takes the source far away from the target: "
+          "is it in the units of the clouds?");
+    if (!guess)
+      return {};
+    return scaleOf(*guess);
+  }
+
+  /** A handful of points has no surface, but may be a copy. */
+  static bool
+  areCopies(const Settings& asked,
+            const PreparedScan& source,
+            const PreparedScan& target,
+            const std::optional<StoredPose>& guess,
+            Registered& result)
+  {
+    if (source.local.points.cols() <= static_cast<Eigen::Index>(most_points_of_copies))
+      result.alternatives = copiesOf(source.local, target.local, asked, guess);
+    if (result.alternatives.empty())
+      return false;
+    result.transformation = result.alternatives.front().transformation;
+    result.mode = Mode::GLOBAL_GLOBAL;
+    FinalRun at_rest;
+    at_rest.converged = true;
+    result.failure = failureOf(asked, result.alternatives, &at_rest, "", {});
+    return true;
+  }
+
+  /** What the final ICP leaves beside poses. */
+  struct FinalOutcome {
+    std::shared_ptr<const FinalRun> run; ///< of the result; null: none
+    std::string stopped;
+  };
+
+  /** ICP on the clouds themselves, (e11), and the choice among the poses. */
+  FinalOutcome
+  settle(const Settings& asked,
+         const Aligned& aligned,
+         const PreparedScan& source,
+         const PreparedScan& target,
+         const std::optional<StoredPose>& guess,
+         Stages& stages,
+         Registered& result)
+  {
+    stages.begin("final ICP");
+    const FinalClouds clouds = finalCloudsOf(source, target, iterations);
+    CloudICP icp(aligned.scorer, source.used, target.local, *target.tree,
+                 clouds.source_centroid, clouds.rounding_error);
+    FinalStage final_stage(asked, aligned.scorer, clouds, icp, stages);
+    const std::vector<FinalContender> contenders =
+        final_stage.settle(aligned.alternatives, guess);
+    const std::shared_ptr<const FinalRun> run = contenders.front().run;
+    result.transformation = contenders.front().alternative.transformation;
+    if (run) {
+      result.precision = run->precision;
+      result.iterations = run->iterations;
+    }
+    result.alternatives = distinctPoses(contenders, aligned.scorer);
+    result.mode = asked.mode == Mode::AUTOMATIC
+                      ? modeOf(result.alternatives.front().overlap)
+                      : asked.mode;
+    stages.end();
+    return {run, final_stage.stopped()};
+  }
+
+  /** What a registration comes to, whatever it throws. */
+  template <typename Work>
+  Registered
+  guarded(const std::optional<StoredPose>& guess, const Work& work)
+  {
+    stop.restart(settings.time_limit);
+    const HeedingSignal heeding(&stop);
+    Registered result;
+    Stages stages;
+    try {
+      stages.restart(settings.progress);
+      work(stages, result);
+    }
+    catch (...) {
+      result = {};
+      result.failure = failureOfException();
+      if (guess && isSimilarity(*guess))
+        result.transformation = *guess;
+      alignment.reset(); // whatever it was in the midst of
+    }
+    result.seconds = stages.seconds();
+    return result;
   }
 
   /** The scale at which two clouds fit, if they do. */
@@ -252,24 +382,63 @@ CloudRegistration::align(const Cloud& source,
                          const Cloud& target,
                          const std::optional<StoredPose>& guess)
 {
-  Implementation& own = *implementation_;
-  own.stop.restart(own.settings.time_limit);
-  const HeedingSignal heeding(&own.stop);
-  Registered result;
-  Stages stages;
-  try {
-    stages.restart(own.settings.progress);
-    own.registerClouds(own.settings, source, target, guess, true, stages, result);
-  }
-  catch (...) {
-    result = {};
-    result.failure = failureOfException();
-    if (guess && isSimilarity(*guess))
-      result.transformation = *guess;
-    own.alignment.reset(); // whatever it was in the midst of
-  }
-  result.seconds = stages.seconds();
-  return result;
+  return implementation_->guarded(guess, [&](Stages& stages, Registered& result) {
+    implementation_->registerClouds(implementation_->settings, source, target, guess,
+                                    true, stages, result);
+  });
+}
+
+std::shared_ptr<const PreparedScan>
+CloudRegistration::prepared(const Cloud& cloud)
+{
+  const auto usable = usablePointsOf("scan", cloud);
+  const auto scan = std::make_shared<PreparedScan>();
+  scan->bulk = usable.bulk;
+  scan->far = usable.far;
+  scan->local = toLocalCloud(cloud, usable);
+  fillAsSource(cloud, usable, implementation_->settings, *scan);
+  fillAsTarget(*scan);
+  scan->prepared =
+      implementation_->alignmentFor(implementation_->settings).prepared(scan->local);
+  return scan;
+}
+
+Registered
+CloudRegistration::align(const PreparedScan& source, const PreparedScan& target)
+{
+  return implementation_->guarded({}, [&](Stages& stages, Registered& result) {
+    implementation_->registerScans(source, target, {}, true, stages, result);
+  });
+}
+
+Registered
+CloudRegistration::adjust(const PreparedScan& source,
+                          const PreparedScan& target,
+                          const StoredPose& pose)
+{
+  return implementation_->guarded(pose, [&](Stages& stages, Registered& result) {
+    implementation_->registerScans(source, target, pose, false, stages, result);
+  });
+}
+
+Registered
+CloudRegistration::step(const PreparedScan& source,
+                        const PreparedScan& target,
+                        const StoredPose& pose)
+{
+  return implementation_->guarded(pose, [&](Stages& stages, Registered& result) {
+    const Settings& settings = implementation_->settings;
+    const PoseScorer scorer = implementation_->alignmentFor(settings).scorerOf(
+        source.prepared, target.prepared, scaleOf(pose));
+    const FinalClouds clouds = finalCloudsOf(source, target, 1);
+    CloudICP icp(scorer, source.used, target.local, *target.tree,
+                 clouds.source_centroid, clouds.rounding_error);
+    const FinalRun run =
+        FinalStage(settings, scorer, clouds, icp, stages).stepFrom(pose);
+    result.transformation = run.transformation;
+    result.precision = run.precision;
+    result.iterations = run.iterations;
+  });
 }
 
 void

@@ -42,11 +42,12 @@ some(const Eigen::Matrix3Xd& points, std::size_t most)
 CloudICP::CloudICP(const PoseScorer& scorer,
                    const Eigen::Matrix3Xd& source,
                    const LocalCloud& target,
+                   const PackedTree& tree,
                    const Eigen::Vector3d& centroid,
                    double rounding_error)
 : scorer_(scorer)
 , target_(target)
-, tree_(target.points.data(), 3, target.points.cols())
+, tree_(tree)
 , centroid_(centroid)
 , rounding_error_(rounding_error)
 , all_(source)

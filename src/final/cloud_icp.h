@@ -24,12 +24,14 @@ public:
   /** \param[in] scorer knows the surfaces of both clouds; kept by reference
    * \param[in] source points that take part, sorted in space
    * \param[in] target in a frame of its own; kept by reference
+   * \param[in] tree of its points; kept by reference
    * \param[in] centroid of the source
    * \param[in] rounding_error of the distance of two points
    */
   CloudICP(const PoseScorer& scorer,
            const Eigen::Matrix3Xd& source,
            const LocalCloud& target,
+           const PackedTree& tree,
            const Eigen::Vector3d& centroid,
            double rounding_error);
 
@@ -57,7 +59,7 @@ private:
 
   const PoseScorer& scorer_;
   const LocalCloud& target_;
-  PackedTree tree_;
+  const PackedTree& tree_;
   Eigen::Vector3d centroid_;
   double rounding_error_;
   Eigen::Matrix3Xd all_, few_;

@@ -126,6 +126,20 @@ FinalStage::settle(const Alternatives& alternatives,
   return contenders;
 }
 
+FinalRun
+FinalStage::stepFrom(const StoredPose& pose)
+{
+  FinalStepSettings settings;
+  settings.surfaces = surfaceStepSettings(false, false);
+  settings.reach = final_icp_reach * scorer_.spacingAt(pose);
+  settings.goes_on = false;
+  settings.made = [](int) {};
+  StoredPose moved = pose;
+  int made = 0;
+  const bool is_pose = icp_.iterate({true, 1, infinite}, settings, moved, made);
+  return *icp_.lastRun(is_pose && made > 0);
+}
+
 void
 FinalStage::runAll(std::vector<FinalContender>& contenders)
 {

@@ -13,6 +13,19 @@
 namespace pcl {
 namespace kss {
 
+PreparedPair
+pairOf(const std::shared_ptr<const PreparedCloud>& source,
+       const std::shared_ptr<const PreparedCloud>& target,
+       const Settings& settings)
+{
+  if (!source->is_noisy && !target->is_noisy)
+    return {source, target, false};
+  const auto mean_source = std::make_shared<PreparedCloud>(*source);
+  const auto mean_target = std::make_shared<PreparedCloud>(*target);
+  averageNoise(*mean_source, *mean_target, settings);
+  return {mean_source, mean_target, true};
+}
+
 Preparation::Preparation(const Settings& settings)
 : settings_(settings)
 {
@@ -53,12 +66,7 @@ Preparation::prepared(const LocalCloud& source,
       tell();
   });
   tell();
-  if (!source_->is_noisy && !target_->is_noisy)
-    return {source_, target_, false};
-  const auto mean_source = std::make_shared<PreparedCloud>(*source_);
-  const auto mean_target = std::make_shared<PreparedCloud>(*target_);
-  averageNoise(*mean_source, *mean_target, settings_);
-  return {mean_source, mean_target, true};
+  return pairOf(source_, target_, settings_);
 }
 
 } // namespace kss

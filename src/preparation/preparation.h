@@ -21,6 +21,13 @@ struct PreparedPair {
   bool is_noisy = false;
 };
 
+/** \brief Two clouds that have been made ready, without the noise of heavily noisy ones.
+ */
+PreparedPair
+pairOf(const std::shared_ptr<const PreparedCloud>& source,
+       const std::shared_ptr<const PreparedCloud>& target,
+       const Settings& settings);
+
 /** \brief Makes clouds ready, and keeps what it has made of each until another comes in
  * its place.
  */

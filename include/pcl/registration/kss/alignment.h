@@ -17,6 +17,7 @@
 namespace pcl {
 namespace kss {
 
+struct PreparedCloud;
 struct ShapePair;
 
 /** \brief What the points of two clouds say of poses of the source on the target. */
@@ -122,6 +123,27 @@ public:
         const LocalCloud& target,
         const std::optional<double>& guessed_scale,
         Stages& stages);
+
+  /** \brief A cloud made ready for any number of alignments, by whatever object with the
+   * same settings. */
+  std::shared_ptr<const PreparedCloud>
+  prepared(const LocalCloud& cloud) const;
+
+  /** \brief Find the distinct poses at which two clouds that have been made ready
+   * resemble each other most; otherwise as above. */
+  Aligned
+  align(const std::shared_ptr<const PreparedCloud>& source,
+        const std::shared_ptr<const PreparedCloud>& target,
+        const std::optional<double>& guessed_scale,
+        Stages& stages);
+
+  /** \brief What the points of two clouds say of poses, without a search.
+   * \throws std::invalid_argument as above
+   */
+  PoseScorer
+  scorerOf(const std::shared_ptr<const PreparedCloud>& source,
+           const std::shared_ptr<const PreparedCloud>& target,
+           const std::optional<double>& guessed_scale);
 
   /** \brief What the work is done with. */
   const Settings&

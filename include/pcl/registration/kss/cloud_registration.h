@@ -32,6 +32,10 @@ struct Cloud {
   Eigen::Matrix3Xf normals{};
 };
 
+/** \brief A cloud made ready once, for any number of registrations: see
+ * CloudRegistration::prepared(). */
+struct PreparedScan;
+
 /** \brief What a registration of two clouds has come to: what KSSICP's getters say. */
 struct Registered {
   /** \brief The similarity that maps the source onto the target; after a failure the
@@ -85,6 +89,33 @@ public:
   align(const Cloud& source,
         const Cloud& target,
         const std::optional<StoredPose>& guess = {});
+
+  /** \brief Make a cloud ready for any number of registrations, by whatever object with
+   * the same settings.
+   * \throws std::invalid_argument where it determines no pose
+   */
+  std::shared_ptr<const PreparedScan>
+  prepared(const Cloud& cloud);
+
+  /** \brief Register two clouds that have been made ready. It costs less where each
+   * cloud is registered with several others; where nothing fits, it is not looked for
+   * what would at another scale.
+   */
+  Registered
+  align(const PreparedScan& source, const PreparedScan& target);
+
+  /** \brief Register them from a pose alone, without a search: its scale stays. */
+  Registered
+  adjust(const PreparedScan& source,
+         const PreparedScan& target,
+         const StoredPose& pose);
+
+  /** \brief One step of ICP, of all points that match at a pose.
+   * \return where it leads, and how precise that is; no alternatives, and a failure only
+   * where the clouds determine no pose
+   */
+  Registered
+  step(const PreparedScan& source, const PreparedScan& target, const StoredPose& pose);
 
   /** \brief End the align() that is running, from another thread or a signal's handler;
    * the next one is not affected. */

@@ -25,7 +25,7 @@ struct ScanTask {
     DESCRIBE, ///< what the scan \ref source is like
     REGISTER, ///< register \ref source and \ref target without a guess
     ADJUST,   ///< register them from \ref pose alone, and say how precisely they lie
-    JUDGE     ///< what the two say of \ref pose
+    STEP      ///< where one step of ICP leads from \ref pose, and how precise that is
   };
 
   Kind kind = Kind::DESCRIBE;
@@ -39,7 +39,8 @@ struct ScanDescription {
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   /** \brief The covariance of its points. */
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  /** \brief Points of it, a few hundred, that cover it evenly. */
+  /** \brief Points of it, a few hundred, that cover it evenly, relative to the centroid.
+   */
   Eigen::Matrix3Xf outline;
   /** \brief The usual spacing of its points, as those are that judge. */
   double spacing = 0.0;
@@ -54,7 +55,7 @@ struct ScanAnswer {
   /** \brief Why there is nothing: a scan that cannot be read or used. */
   Failure failure;
   ScanDescription description; ///< of DESCRIBE
-  /** \brief Of REGISTER, ADJUST and JUDGE: the latter two have one pose. */
+  /** \brief Of REGISTER, ADJUST and STEP: the latter two have one pose at most. */
   PairResult pair;
 };
 

@@ -144,6 +144,12 @@ public:
   std::vector<FinalContender>
   settle(const Alternatives& alternatives, const std::optional<StoredPose>& guess);
 
+  /** \brief Make one step of the final ICP, at a known scale, from a pose.
+   * \return where it leads, and how precisely the points that match at the pose say so
+   */
+  FinalRun
+  stepFrom(const StoredPose& pose);
+
   /** \brief Why the work came to no end; empty if it did. */
   const std::string&
   stopped() const

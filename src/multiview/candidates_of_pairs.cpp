@@ -1,0 +1,53 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "multiview/candidates_of_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace kss {
+namespace {
+
+/** What is less probable is not worth a look. */
+constexpr double least_probable = 0.03;
+
+/** No pair is surer than that: it may show something that looks the same elsewhere. */
+constexpr double surest = 0.98;
+
+} // namespace
+
+std::vector<PoseCandidate>
+candidatesOf(const std::vector<PairResult>& pairs)
+{
+  std::vector<PoseCandidate> candidates;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const PairResult& pair = pairs[p];
+    if (pair.poses.empty())
+      continue;
+    // the pair's confidence is that one of the best poses is right
+    const double best = pair.poses.front().log_odds;
+    double sum = 0.0;
+    for (const PairPose& pose : pair.poses)
+      sum += std::exp(std::min(pose.log_odds - best, 0.0));
+    for (std::size_t i = 0; i < pair.poses.size(); ++i) {
+      const double share = std::exp(std::min(pair.poses[i].log_odds - best, 0.0)) / sum;
+      const double probability = std::min(surest, pair.confidence * share);
+      if (probability >= least_probable)
+        candidates.push_back({p, i, pair.source, pair.target,
+                              pair.poses[i].transformation, probability});
+    }
+  }
+  return candidates;
+}
+
+double
+logOdds(double probability)
+{
+  return std::log(probability / (1.0 - probability));
+}
+
+} // namespace kss
+} // namespace pcl

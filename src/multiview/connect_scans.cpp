@@ -1,0 +1,416 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include <pcl/registration/kss/scan_work.h>
+
+#include "multiview/candidates_of_pairs.h"
+#include "multiview/consensus.h"
+#include "multiview/pair_choice.h"
+#include "multiview/placement_of_scans.h"
+#include "multiview/pose_graph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace pcl {
+namespace kss {
+namespace {
+
+/** Scans that share so much of one of them, by their outlines, are asked for what they
+ * say about their poses. */
+constexpr double enough_overlap = 0.2;
+
+/** The error of a pair's pose as a share of the scan's radius, where nothing better is
+ * known: degrees, not tens of them. */
+constexpr double usual_error = 0.02;
+
+/** A pose that the model keeps is off by no more than this share of the radius. */
+constexpr double kept_share = 0.05;
+
+/** Surfaces of scans are off by more than chance: so much of the spacing of the points
+ * by what is not rigid, or seen from elsewhere, however many points there are. */
+constexpr double unmodelled = 0.1;
+
+/** Rounds of trying more pairs, and steps of the joint refinement. */
+constexpr int most_rounds = 4, most_steps = 10;
+
+/** Poses are at rest when no scan moves by more than this share of the spacing. */
+constexpr double at_rest_share = 0.02;
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/** The work on a set of scans. */
+class Connection {
+public:
+  Connection(std::size_t size,
+             const MultiviewSettings& settings,
+             ScanCrew& crew,
+             const ProgressCallback& progress)
+  : settings_(settings)
+  , crew_(crew)
+  , scans_(size)
+  , failures_(size)
+  {
+    stages_.restart(progress);
+  }
+
+  Multiview
+  run()
+  {
+    describe();
+    std::vector<ScanPair> next =
+        pairsToTry(scans_, usable(), settings_.all_pairs, settings_.partners);
+    for (int round = 0; round < most_rounds && !next.empty(); ++round) {
+      registerPairs(next, round == 0 ? "pairs" : "more pairs");
+      place();
+      next = pairsWanted();
+    }
+    if (settings_.refine)
+      refine();
+    return result();
+  }
+
+private:
+  /** Do tasks, and tell how many are done. */
+  std::vector<ScanAnswer>
+  work(const std::vector<ScanTask>& tasks, const std::string& stage)
+  {
+    std::vector<ScanAnswer> answers(tasks.size());
+    std::size_t ended = 0;
+    stages_.begin(stage);
+    crew_.work(tasks, [&](std::size_t number, ScanAnswer answer) {
+      answers[number] = std::move(answer);
+      stages_.progress(static_cast<double>(++ended) /
+                       static_cast<double>(tasks.size()));
+    });
+    stages_.end();
+    return answers;
+  }
+
+  void
+  describe()
+  {
+    std::vector<ScanTask> tasks(scans_.size());
+    for (std::size_t i = 0; i < tasks.size(); ++i)
+      tasks[i].source = i;
+    std::vector<ScanAnswer> answers = work(tasks, "scans");
+    for (std::size_t i = 0; i < scans_.size(); ++i) {
+      scans_[i] = std::move(answers[i].description);
+      failures_[i] = answers[i].failure;
+    }
+  }
+
+  std::vector<std::size_t>
+  usable() const
+  {
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < scans_.size(); ++i)
+      if (failures_[i].cause == FailureCause::NONE)
+        numbers.push_back(i);
+    return numbers;
+  }
+
+  void
+  registerPairs(const std::vector<ScanPair>& pairs, const std::string& stage)
+  {
+    std::vector<ScanTask> tasks;
+    for (const auto& [source, target] : pairs) {
+      ScanTask task;
+      task.kind = ScanTask::Kind::REGISTER;
+      task.source = source;
+      task.target = target;
+      tasks.push_back(task);
+      tried_.insert({source, target});
+    }
+    for (ScanAnswer& answer : work(tasks, stage)) {
+      if (answer.failure.cause != FailureCause::NONE)
+        answer.pair.failure = answer.failure;
+      pairs_.push_back(std::move(answer.pair));
+    }
+    std::sort(pairs_.begin(), pairs_.end(),
+              [](const PairResult& a, const PairResult& b) {
+                return ScanPair(a.source, a.target) < ScanPair(b.source, b.target);
+              });
+  }
+
+  /** Groups, and poses in them, by what the pairs say. */
+  void
+  place()
+  {
+    const std::vector<PoseCandidate> candidates = candidatesOf(pairs_);
+    Consensus consensus = consensusOf(scans_, candidates, pairs_.size());
+    poses_ = std::move(consensus.poses);
+    groups_ = std::move(consensus.groups);
+    for (const PlacedGroup& group : groups_)
+      solvePoses(scans_, group, linksOf(group, candidates), poses_);
+  }
+
+  Eigen::Matrix4d
+  relativePose(std::size_t source, std::size_t target) const
+  {
+    return inverted(poses_[target]) * Eigen::Matrix4d(poses_[source]);
+  }
+
+  /** How far a pose of a pair places the source from where the model does. */
+  double
+  deviationOf(std::size_t source, std::size_t target, const StoredPose& pose) const
+  {
+    return displacement(scans_[source], relativePose(source, target), pose);
+  }
+
+  double
+  smallerRadius(std::size_t a, std::size_t b) const
+  {
+    return std::min(radiusOf(scans_[a]), radiusOf(scans_[b]));
+  }
+
+  /** What the pairs of a group say, those that agree with the rest. */
+  std::vector<PoseLink>
+  linksOf(const PlacedGroup& group, const std::vector<PoseCandidate>& candidates) const
+  {
+    const std::set<std::size_t> members(group.begin(), group.end());
+    std::vector<PoseLink> links;
+    for (const PoseCandidate& candidate : candidates) {
+      const auto [source, target] = std::pair(candidate.source, candidate.target);
+      if (!members.count(source) || !members.count(target))
+        continue;
+      const double radius = smallerRadius(source, target);
+      if (deviationOf(source, target, candidate.transformation) >
+          2.0 * agreeing_share * radius)
+        continue;
+      PoseLink link;
+      link.source = source;
+      link.target = target;
+      link.transformation = candidate.transformation;
+      link.information =
+          informationOfDisplacement(scans_[source], candidate.transformation) /
+          std::pow(usual_error * radius, 2);
+      links.push_back(link);
+    }
+    return links;
+  }
+
+  /** Pairs that the graph still needs: none. */
+  std::vector<ScanPair>
+  pairsWanted() const
+  {
+    return {};
+  }
+
+  /** Pairs of a group that lie on each other. */
+  std::vector<ScanPair>
+  overlappingPairs(const PlacedGroup& group) const
+  {
+    std::vector<ScanPair> pairs;
+    for (const std::size_t a : group)
+      for (const std::size_t b : group)
+        if (a < b &&
+            expectedOverlap(scans_[a], scans_[b], relativePose(a, b)) >= enough_overlap)
+          pairs.emplace_back(a, b);
+    return pairs;
+  }
+
+  /** Move all scans of a group at once to where the points of all of them that match lie
+   * on each other's planes: each pair of scans that overlap makes a step of ICP, and the
+   * poses are those that are in best agreement with all steps. */
+  void
+  refine()
+  {
+    for (int step = 0; step < most_steps; ++step) {
+      std::vector<ScanTask> tasks;
+      for (const PlacedGroup& group : groups_)
+        for (const auto& [source, target] : overlappingPairs(group)) {
+          ScanTask task;
+          task.kind = ScanTask::Kind::STEP;
+          task.source = source;
+          task.target = target;
+          task.pose = relativePose(source, target);
+          tasks.push_back(task);
+        }
+      if (tasks.empty())
+        return;
+      const std::vector<ScanAnswer> answers = work(tasks, "joint refinement");
+      const std::vector<StoredPose> before = poses_;
+      for (const PlacedGroup& group : groups_)
+        solvePoses(scans_, group, linksOfSteps(group, answers), poses_);
+      double moved = 0.0;
+      for (std::size_t i = 0; i < scans_.size(); ++i)
+        if (failures_[i].cause == FailureCause::NONE)
+          moved = std::max(moved, displacement(scans_[i], before[i], poses_[i]) /
+                                      scans_[i].spacing);
+      if (moved < at_rest_share)
+        return;
+    }
+  }
+
+  std::vector<PoseLink>
+  linksOfSteps(const PlacedGroup& group, const std::vector<ScanAnswer>& answers) const
+  {
+    const std::set<std::size_t> members(group.begin(), group.end());
+    std::vector<PoseLink> links;
+    for (const ScanAnswer& answer : answers) {
+      const PairResult& pair = answer.pair;
+      if (!members.count(pair.source) || pair.poses.empty())
+        continue;
+      const PairPose& pose = pair.poses.front();
+      PoseLink link;
+      link.source = pair.source;
+      link.target = pair.target;
+      link.transformation = pose.transformation;
+      // (S + U)^-1, S being the covariance and U what is not modelled
+      const double error = unmodelled * std::max(scans_[pair.source].spacing,
+                                                 scans_[pair.target].spacing);
+      const Matrix6 U_inverse =
+          informationOfDisplacement(scans_[pair.source], pose.transformation) /
+          (error * error);
+      const Matrix6 information = pose.information;
+      link.information =
+          U_inverse - U_inverse * (information + U_inverse).ldlt().solve(U_inverse);
+      links.push_back(link);
+    }
+    return links;
+  }
+
+  /** The triangles of pairs whose poses lead back to where they began. */
+  std::size_t
+  trianglesOf(const GraphPair& pair,
+              const std::map<ScanPair, Eigen::Matrix4d>& kept) const
+  {
+    const std::size_t a = pair.result.source, b = pair.result.target;
+    const auto poseOf = [&](std::size_t source,
+                            std::size_t target) -> std::optional<Eigen::Matrix4d> {
+      const auto found =
+          kept.find({std::min(source, target), std::max(source, target)});
+      if (found == kept.end())
+        return {};
+      return source < target ? found->second : inverted(found->second);
+    };
+    const StoredPose& own = pair.result.poses[pair.pose].transformation;
+    std::size_t triangles = 0;
+    for (std::size_t c = 0; c < scans_.size(); ++c) {
+      if (c == a || c == b)
+        continue;
+      const auto to_c = poseOf(a, c), from_c = poseOf(c, b);
+      if (to_c && from_c &&
+          displacement(scans_[a], *from_c * *to_c, own) <=
+              agreeing_share * smallerRadius(a, b))
+        ++triangles;
+    }
+    return triangles;
+  }
+
+  /** What a pair is to the model. */
+  GraphPair
+  judged(const PairResult& pair, const std::vector<std::size_t>& group_of) const
+  {
+    GraphPair graph;
+    graph.result = pair;
+    const bool is_accepted = pair.failure.cause == FailureCause::NONE;
+    graph.verdict = is_accepted                                  ? PairVerdict::REJECTED
+                    : pair.failure.cause == FailureCause::NO_FIT ? PairVerdict::REFUSED
+                                                                 : PairVerdict::FAILED;
+    graph.reason = pair.failure.reason;
+    if (pair.poses.empty())
+      return graph;
+    if (group_of[pair.source] != group_of[pair.target]) {
+      if (is_accepted)
+        graph.reason = "No other pair confirms it, and by itself it is not sure enough "
+                       "among so many pairs.";
+      return graph;
+    }
+    graph.deviation = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < pair.poses.size(); ++i) {
+      const double deviation =
+          deviationOf(pair.source, pair.target, pair.poses[i].transformation);
+      if (deviation < graph.deviation) {
+        graph.deviation = deviation;
+        graph.pose = i;
+      }
+    }
+    const double radius = smallerRadius(pair.source, pair.target);
+    if (graph.deviation <= kept_share * radius) {
+      graph.verdict = PairVerdict::KEPT;
+      graph.reason.clear();
+      return graph;
+    }
+    graph.pose = 0;
+    graph.deviation =
+        deviationOf(pair.source, pair.target, pair.poses.front().transformation);
+    if (is_accepted) {
+      std::ostringstream reason;
+      reason << "Other pairs place the source " << graph.deviation
+             << " from there, root mean square.";
+      graph.reason = reason.str();
+    }
+    return graph;
+  }
+
+  Multiview
+  result()
+  {
+    Multiview model;
+    std::stable_sort(
+        groups_.begin(), groups_.end(), [](const PlacedGroup& a, const PlacedGroup& b) {
+          return a.size() != b.size() ? a.size() > b.size() : a.front() < b.front();
+        });
+    std::vector<std::size_t> group_of(scans_.size());
+    model.scans.resize(scans_.size());
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const Eigen::Matrix4d to_first = inverted(poses_[groups_[g].front()]);
+      for (const std::size_t scan : groups_[g]) {
+        group_of[scan] = g;
+        model.scans[scan] = {to_first * Eigen::Matrix4d(poses_[scan]), g,
+                             failures_[scan]};
+      }
+    }
+    model.groups = groups_;
+    std::map<ScanPair, Eigen::Matrix4d> kept;
+    for (const PairResult& pair : pairs_) {
+      model.pairs.push_back(judged(pair, group_of));
+      const GraphPair& graph = model.pairs.back();
+      if (graph.verdict == PairVerdict::KEPT)
+        kept[{pair.source, pair.target}] = pair.poses[graph.pose].transformation;
+    }
+    for (GraphPair& pair : model.pairs)
+      if (!pair.result.poses.empty())
+        pair.loops = trianglesOf(pair, kept);
+    model.seconds = stages_.seconds();
+    return model;
+  }
+
+  const MultiviewSettings& settings_;
+  ScanCrew& crew_;
+  Stages stages_;
+  std::vector<ScanDescription> scans_;
+  std::vector<Failure> failures_;
+  std::set<ScanPair> tried_;
+  std::vector<PairResult> pairs_;
+  std::vector<PlacedGroup> groups_;
+  std::vector<StoredPose> poses_;
+};
+
+} // namespace
+
+Multiview
+connectScans(std::size_t scans,
+             const MultiviewSettings& settings,
+             ScanCrew& crew,
+             const ProgressCallback& progress)
+try {
+  return Connection(scans, settings, crew, progress).run();
+}
+catch (...) {
+  Multiview model;
+  model.failure = failureOfException();
+  return model;
+}
+
+} // namespace kss
+} // namespace pcl

@@ -1,0 +1,50 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include <pcl/registration/kss/scan_work.h>
+
+#include "multiview/candidates_of_pairs.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace kss {
+
+/** \brief Scans that are placed in a common frame. */
+using PlacedGroup = std::vector<std::size_t>;
+
+/** \brief Which scans belong together, and where they are. */
+struct Consensus {
+  /** \brief The numbers of the scans of each group, rising. */
+  std::vector<PlacedGroup> groups;
+  /** \brief Of each scan, to a frame of its group. */
+  std::vector<StoredPose> poses;
+};
+
+/** \brief Candidates agree where they place a scan less far apart than this share of its
+ * root mean square radius. */
+constexpr double agreeing_share = 0.1;
+
+/** \brief Unite scans by the poses that most pairs agree on.
+ *
+ * Groups are united two by two, those first whose alignment is most probable: what
+ * speaks for one are the candidates between the two groups that agree with it, against
+ * it those that do not. Two that agree close a loop: a wrong pose would have to be wrong
+ * in the same way, by chance.
+ * \param[in] scans descriptions; of those that cannot be used, empty ones
+ * \param[in] candidates of all pairs
+ * \param[in] pairs_tried how many pairs have been registered: the more there are for
+ * each scan, the fewer of them can be right, and the surer one has to be that nothing
+ * agrees with
+ */
+Consensus
+consensusOf(const std::vector<ScanDescription>& scans,
+            const std::vector<PoseCandidate>& candidates,
+            std::size_t pairs_tried);
+
+} // namespace kss
+} // namespace pcl
