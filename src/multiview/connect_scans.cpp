@@ -78,19 +78,19 @@ public:
   }
 
 private:
-  /** Do tasks, and tell how many are done. */
+  /** Do tasks, and tell how many are done.
+   * \param[in] from the share of the stage that has been done before
+   * \param[in] to the share that will be done then */
   std::vector<ScanAnswer>
-  work(const std::vector<ScanTask>& tasks, const std::string& stage)
+  work(const std::vector<ScanTask>& tasks, double from = 0.0, double to = 1.0)
   {
     std::vector<ScanAnswer> answers(tasks.size());
     std::size_t ended = 0;
-    stages_.begin(stage);
     crew_.work(tasks, [&](std::size_t number, ScanAnswer answer) {
       answers[number] = std::move(answer);
-      stages_.progress(static_cast<double>(++ended) /
-                       static_cast<double>(tasks.size()));
+      stages_.progress(from + (to - from) * static_cast<double>(++ended) /
+                                  static_cast<double>(tasks.size()));
     });
-    stages_.end();
     return answers;
   }
 
@@ -100,7 +100,9 @@ private:
     std::vector<ScanTask> tasks(scans_.size());
     for (std::size_t i = 0; i < tasks.size(); ++i)
       tasks[i].source = i;
-    std::vector<ScanAnswer> answers = work(tasks, "scans");
+    stages_.begin("scans");
+    std::vector<ScanAnswer> answers = work(tasks);
+    stages_.end();
     for (std::size_t i = 0; i < scans_.size(); ++i) {
       scans_[i] = std::move(answers[i].description);
       failures_[i] = answers[i].failure;
@@ -129,7 +131,8 @@ private:
       tasks.push_back(task);
       tried_.insert({source, target});
     }
-    for (ScanAnswer& answer : work(tasks, stage)) {
+    stages_.begin(stage);
+    for (ScanAnswer& answer : work(tasks)) {
       if (answer.failure.cause != FailureCause::NONE)
         answer.pair.failure = answer.failure;
       pairs_.push_back(std::move(answer.pair));
@@ -138,6 +141,7 @@ private:
               [](const PairResult& a, const PairResult& b) {
                 return ScanPair(a.source, a.target) < ScanPair(b.source, b.target);
               });
+    stages_.end();
   }
 
   /** Groups, and poses in them, by what the pairs say. */
@@ -223,31 +227,41 @@ private:
   void
   refine()
   {
-    for (int step = 0; step < most_steps; ++step) {
-      std::vector<ScanTask> tasks;
-      for (const PlacedGroup& group : groups_)
-        for (const auto& [source, target] : overlappingPairs(group)) {
-          ScanTask task;
-          task.kind = ScanTask::Kind::STEP;
-          task.source = source;
-          task.target = target;
-          task.pose = relativePose(source, target);
-          tasks.push_back(task);
-        }
-      if (tasks.empty())
-        return;
-      const std::vector<ScanAnswer> answers = work(tasks, "joint refinement");
-      const std::vector<StoredPose> before = poses_;
-      for (const PlacedGroup& group : groups_)
-        solvePoses(scans_, group, linksOfSteps(group, answers), poses_);
-      double moved = 0.0;
-      for (std::size_t i = 0; i < scans_.size(); ++i)
-        if (failures_[i].cause == FailureCause::NONE)
-          moved = std::max(moved, displacement(scans_[i], before[i], poses_[i]) /
-                                      scans_[i].spacing);
-      if (moved < at_rest_share)
-        return;
-    }
+    stages_.begin("joint refinement");
+    for (int step = 0; step < most_steps; ++step)
+      if (stepOfAll(step) < at_rest_share)
+        break;
+    stages_.end();
+  }
+
+  /** A step of the joint refinement.
+   * \return how far the scan moved that moved most, in spacings */
+  double
+  stepOfAll(int step)
+  {
+    std::vector<ScanTask> tasks;
+    for (const PlacedGroup& group : groups_)
+      for (const auto& [source, target] : overlappingPairs(group)) {
+        ScanTask task;
+        task.kind = ScanTask::Kind::STEP;
+        task.source = source;
+        task.target = target;
+        task.pose = relativePose(source, target);
+        tasks.push_back(task);
+      }
+    if (tasks.empty())
+      return 0.0;
+    const std::vector<ScanAnswer> answers =
+        work(tasks, static_cast<double>(step) / most_steps,
+             static_cast<double>(step + 1) / most_steps);
+    const std::vector<StoredPose> before = poses_;
+    for (const PlacedGroup& group : groups_)
+      solvePoses(scans_, group, linksOfSteps(group, answers), poses_);
+    double moved = 0.0;
+    for (const std::size_t scan : usable())
+      moved = std::max(moved, displacement(scans_[scan], before[scan], poses_[scan]) /
+                                  scans_[scan].spacing);
+    return moved;
   }
 
   std::vector<PoseLink>
@@ -367,7 +381,7 @@ private:
       for (const std::size_t scan : groups_[g]) {
         group_of[scan] = g;
         model.scans[scan] = {to_first * Eigen::Matrix4d(poses_[scan]), g,
-                             failures_[scan]};
+                             scans_[scan].centroid, failures_[scan]};
       }
     }
     model.groups = groups_;

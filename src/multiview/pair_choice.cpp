@@ -14,9 +14,13 @@ namespace kss {
 double
 resemblance(const ScanDescription& a, const ScanDescription& b)
 {
-  if (a.features.size() == 0 || a.features.size() != b.features.size())
-    return 0.0;
-  return static_cast<double>((a.features.array() * b.features.array()).sum());
+  // octaves that only one of them has count against both
+  const double octaves = (a.features.colwise().squaredNorm().array() +
+                              b.features.colwise().squaredNorm().array() >
+                          0.0f)
+                             .count();
+  return octaves > 0.0 ? (a.features.array() * b.features.array()).sum() / octaves
+                       : 0.0;
 }
 
 std::vector<ScanPair>

@@ -7,8 +7,10 @@
 #include "geometry/median.h"
 #include "geometry/neighbourhoods.h"
 #include "geometry/take.h"
+#include "geometry/tangent_planes.h"
 #include "preparation/prepared_cloud.h"
 #include "prepared_scan.h"
+#include "scans/pair_features.h"
 
 #include <algorithm>
 

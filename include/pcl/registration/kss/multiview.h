@@ -85,6 +85,8 @@ struct ScanPose {
   StoredPose transformation = StoredPose::Identity();
   /** \brief The number of its group. */
   std::size_t group = 0;
+  /** \brief The mean of its points, in its own coordinates. */
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   /** \brief Why it could not be used; FailureCause::NONE: it could. */
   Failure failure;
 };

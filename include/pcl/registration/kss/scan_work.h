@@ -44,8 +44,8 @@ struct ScanDescription {
   Eigen::Matrix3Xf outline;
   /** \brief The usual spacing of its points, as those are that judge. */
   double spacing = 0.0;
-  /** \brief What its surface is like here and there, in turn-free words: a column per
-   * place. */
+  /** \brief What its surface is like, however it is turned: a column for each octave of
+   * distances, of length 1 or 0. */
   Eigen::MatrixXf features;
   std::size_t far_points = 0; ///< points that are too far away from the others
 };
