@@ -32,6 +32,7 @@ ARROWS = {
     # the class for PCL's points: what is installed, and nothing else
     "src/pcl": [],
     "tools/io": [],
+    "tools/crew": [],
     "tools/picture": ["tools/io"],
     "tools/command_line": ["tools/picture", "tools/io"],
 }
