@@ -1,0 +1,209 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#include "scan_jobs.h"
+
+#include "scan_journal.h"
+
+#include <nlohmann/json.hpp>
+
+#include <stdexcept>
+#include <utility>
+
+namespace tool {
+namespace {
+
+using nlohmann::json;
+using pcl::kss::ScanAnswer;
+using pcl::kss::ScanTask;
+
+/** A matrix, column by column. */
+template <typename Matrix>
+json
+toJSON(const Matrix& matrix)
+{
+  json numbers = json::array();
+  for (Eigen::Index i = 0; i < matrix.size(); ++i)
+    numbers.push_back(matrix.derived().data()[i]);
+  return numbers;
+}
+
+/** \param[in,out] matrix of the size that it is to have */
+template <typename Matrix>
+void
+fromJSON(const json& numbers, Matrix& matrix)
+{
+  if (static_cast<std::size_t>(matrix.size()) != numbers.size())
+    throw std::runtime_error("a job has come with other numbers than it should have");
+  for (Eigen::Index i = 0; i < matrix.size(); ++i)
+    matrix.data()[i] = numbers[i].get<typename Matrix::Scalar>();
+}
+
+json
+toJSON(const pcl::kss::Failure& failure)
+{
+  return {static_cast<int>(failure.cause), failure.reason};
+}
+
+pcl::kss::Failure
+failureFrom(const json& value)
+{
+  return {static_cast<pcl::kss::FailureCause>(value.at(0).get<int>()),
+          value.at(1).get<std::string>()};
+}
+
+json
+toJSON(const pcl::kss::ScanDescription& scan)
+{
+  return {{"centroid", toJSON(scan.centroid)}, {"spread", toJSON(scan.spread)},
+          {"outline", toJSON(scan.outline)},   {"spacing", scan.spacing},
+          {"rows", scan.features.rows()},      {"features", toJSON(scan.features)},
+          {"far", scan.far_points}};
+}
+
+pcl::kss::ScanDescription
+descriptionFrom(const json& value)
+{
+  pcl::kss::ScanDescription scan;
+  fromJSON(value.at("centroid"), scan.centroid);
+  fromJSON(value.at("spread"), scan.spread);
+  scan.outline.resize(3, value.at("outline").size() / 3);
+  fromJSON(value.at("outline"), scan.outline);
+  scan.spacing = value.at("spacing");
+  const Eigen::Index rows = value.at("rows");
+  scan.features.resize(rows, rows ? value.at("features").size() / rows : 0);
+  fromJSON(value.at("features"), scan.features);
+  scan.far_points = value.at("far");
+  return scan;
+}
+
+json
+toJSON(const pcl::kss::PairResult& pair)
+{
+  json poses = json::array();
+  for (const auto& pose : pair.poses)
+    poses.push_back({{"transformation", toJSON(pose.transformation)},
+                     {"information", toJSON(pose.information)},
+                     {"overlap",
+                      {pose.overlap.source, pose.overlap.target, pose.overlap.score}},
+                     {"log_odds", pose.log_odds}});
+  return {{"source", pair.source},         {"target", pair.target},
+          {"poses", poses},                {"confidence", pair.confidence},
+          {"ambiguous", pair.ambiguous},   {"failure", toJSON(pair.failure)}};
+}
+
+pcl::kss::PairResult
+pairFrom(const json& value)
+{
+  pcl::kss::PairResult pair;
+  pair.source = value.at("source");
+  pair.target = value.at("target");
+  for (const json& each : value.at("poses")) {
+    pcl::kss::PairPose pose;
+    fromJSON(each.at("transformation"), pose.transformation);
+    fromJSON(each.at("information"), pose.information);
+    pose.overlap = {each.at("overlap").at(0), each.at("overlap").at(1),
+                    each.at("overlap").at(2)};
+    pose.log_odds = each.at("log_odds");
+    pair.poses.push_back(pose);
+  }
+  pair.confidence = value.at("confidence");
+  pair.ambiguous = value.at("ambiguous");
+  pair.failure = failureFrom(value.at("failure"));
+  return pair;
+}
+
+ScanTask
+taskFrom(const std::string& job)
+{
+  const json value = json::parse(job);
+  ScanTask task;
+  task.kind = static_cast<ScanTask::Kind>(value.at("kind").get<int>());
+  task.source = value.at("source");
+  task.target = value.at("target");
+  if (value.contains("pose"))
+    fromJSON(value.at("pose"), task.pose);
+  return task;
+}
+
+std::string
+textOf(const ScanAnswer& answer, ScanTask::Kind kind)
+{
+  json value = {{"failure", toJSON(answer.failure)}};
+  if (kind == ScanTask::Kind::DESCRIBE)
+    value["description"] = toJSON(answer.description);
+  else
+    value["pair"] = toJSON(answer.pair);
+  return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+ScanAnswer
+answerFrom(const std::string& text)
+{
+  const json value = json::parse(text);
+  ScanAnswer answer;
+  answer.failure = failureFrom(value.at("failure"));
+  if (value.contains("description"))
+    answer.description = descriptionFrom(value.at("description"));
+  if (value.contains("pair"))
+    answer.pair = pairFrom(value.at("pair"));
+  return answer;
+}
+
+} // namespace
+
+std::string
+jobOf(const ScanTask& task)
+{
+  json value = {{"kind", static_cast<int>(task.kind)},
+                {"source", task.source},
+                {"target", task.target}};
+  if (task.kind == ScanTask::Kind::ADJUST || task.kind == ScanTask::Kind::STEP)
+    value["pose"] = toJSON(task.pose);
+  return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+JobHandler
+handlerOf(pcl::kss::ScanWorker& worker)
+{
+  return [&worker](const std::string& job) {
+    const ScanTask task = taskFrom(job);
+    return textOf(worker.answer(task), task.kind);
+  };
+}
+
+ScanJobs::ScanJobs(Crew& crew, ScanJournal& journal)
+: crew_(crew)
+, journal_(journal)
+{
+}
+
+void
+ScanJobs::work(const std::vector<ScanTask>& tasks,
+               const std::function<void(std::size_t, ScanAnswer)>& done)
+{
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    if (const auto known = journal_.answerTo(jobOf(tasks[i])))
+      done(i, answerFrom(*known));
+    else
+      left.push_back(i);
+  crew_.run(
+      left.size(), [&](std::size_t i) { return jobOf(tasks[left[i]]); },
+      [&](std::size_t i, JobAnswer answer) {
+        const ScanTask& task = tasks[left[i]];
+        ScanAnswer result;
+        result.pair.source = task.source;
+        result.pair.target = task.target;
+        if (answer.failure.empty()) {
+          journal_.add(jobOf(task), answer.bytes);
+          result = answerFrom(answer.bytes);
+        }
+        else
+          result.failure = {pcl::kss::FailureCause::OTHER, answer.failure};
+        done(left[i], std::move(result));
+      });
+}
+
+} // namespace tool
