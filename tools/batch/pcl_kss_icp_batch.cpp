@@ -35,16 +35,17 @@ complain(const std::string& message)
 int
 registerPairs(const BatchOptions& options, const Processes& processes)
 {
-  checkDevice(options.how.settings.device);
   const JobHandler handler = [&](const std::string& job) {
     return answerTo(job, options.how);
   };
   if (!processes.leads()) {
+    checkDevice(options.how.settings.device);
     processes.serve(handler, options.threads);
     return SUCCESS;
   }
   // before all that may be wrong here: its end dismisses the other processes
   const std::unique_ptr<Crew> crew = processes.crew(handler, options.threads);
+  checkDevice(options.how.settings.device);
   Batch batch(options);
   batch.run(*crew);
   return batch.conclude() ? SUCCESS : NOT_ALL_REGISTERED;

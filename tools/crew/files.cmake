@@ -18,6 +18,9 @@ libboost-mpi-dev); -DPCL_KSS_ICP_WITH_MPI=OFF goes without")
   endif()
 endif()
 
+# for the tests
+set(PCL_KSS_ICP_HAS_MPI ${with_mpi} CACHE INTERNAL "")
+
 set(crew_dir ${CMAKE_CURRENT_LIST_DIR})
 add_library(pcl_kss_icp_crew STATIC
   ${crew_dir}/thread_crew.cpp

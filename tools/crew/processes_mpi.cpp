@@ -63,7 +63,7 @@ shareOfCores(const mpi::communicator& ranks)
 class Processes::Ranks {
 public:
   Ranks()
-  : environment_(mpi::threading::funneled)
+  : environment_(mpi::threading::funneled, false) // exceptions end it in an orderly way
   {
     if (environment_.thread_level() < mpi::threading::funneled)
       throw std::runtime_error("this MPI does not allow for threads; start without "
