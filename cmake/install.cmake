@@ -1,5 +1,6 @@
 # What `cmake --install` puts where. Every install() of the project names a component, of
-# which packages are made: library, development, tool, view, python, licence; bundle is on its
+# which packages are made: library, development, tool, batch, view, python,
+# licence; bundle is on its
 # own (cmake/bundle/bundle.cmake).
 
 include(CMakePackageConfigHelpers)

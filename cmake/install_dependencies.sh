@@ -7,6 +7,7 @@ packages=(
   libpcl-dev libeigen3-dev
   ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd
   libboost-program-options-dev nlohmann-json3-dev
+  libopenmpi-dev openmpi-bin libboost-mpi-dev libboost-serialization-dev
   pkg-config libcairo2-dev fonts-dejavu-core
   libgtest-dev libbenchmark-dev clang libclang-rt-dev
   python3-matplotlib python3-numpy

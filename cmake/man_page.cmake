@@ -27,5 +27,8 @@ endfunction()
 kss_icp_man_page(pcl_kss_icp_tool pcl_kss_icp tool
   "register two point clouds without an initial guess"
   --include ${PROJECT_SOURCE_DIR}/cmake/man_page.h2m)
+kss_icp_man_page(pcl_kss_icp_batch pcl_kss_icp_batch batch
+  "register many pairs of point clouds"
+  --include ${PROJECT_SOURCE_DIR}/cmake/man_page.h2m)
 kss_icp_man_page(pcl_kss_icp_view pcl_kss_icp_view view
   "show what pcl_kss_icp has registered" --version-string ${PROJECT_VERSION})

@@ -12,7 +12,7 @@ if(NOT BUILD_SHARED_LIBS OR NOT EXISTS /etc/debian_version OR DEFINED SKBUILD)
   return()
 endif()
 set(packages "")
-foreach(component library development tool view python)
+foreach(component library development tool batch view python)
   if(component IN_LIST components)
     list(APPEND packages ${component})
   endif()
@@ -78,6 +78,17 @@ STL, OFF and text.
 ${about}")
 
 set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS pcl-kss-icp-view)
+
+# A package of its own: Open MPI brings more along than all the rest of the tool.
+set(CPACK_DEBIAN_BATCH_PACKAGE_NAME pcl-kss-icp-batch)
+set(CPACK_DEBIAN_BATCH_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_BATCH_PACKAGE_SUGGESTS openmpi-bin)
+set(CPACK_COMPONENT_BATCH_DESCRIPTION
+"registration of point clouds without a guess - many pairs
+pcl_kss_icp_batch registers the pairs of a list, in threads or under mpirun,
+and goes on where it was ended.
+
+${about}")
 
 set(CPACK_DEBIAN_VIEW_PACKAGE_NAME pcl-kss-icp-view)
 set(CPACK_DEBIAN_VIEW_PACKAGE_SECTION science)

@@ -35,6 +35,7 @@ ARROWS = {
     "tools/crew": [],
     "tools/picture": ["tools/io"],
     "tools/command_line": ["tools/picture", "tools/io"],
+    "tools/batch": ["tools/crew", "tools/command_line", "tools/io"],
 }
 # What may reach the CL headers, be it by way of another header.
 OPENCL = re.compile(r"src/(opencl/.*|evaluators/(.*_opencl\..*|.*_of_devices\.h|"

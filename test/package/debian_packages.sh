@@ -72,6 +72,13 @@ if [ -d pcl-kss-icp ]; then
   expect "pcl-kss-icp: hardening" binds_at_start pcl-kss-icp/usr/bin/pcl_kss_icp
 fi
 
+if [ -d pcl-kss-icp-batch ]; then
+  expect "pcl-kss-icp-batch: program" [ -x pcl-kss-icp-batch/usr/bin/pcl_kss_icp_batch ]
+  expect "pcl-kss-icp-batch: hardening" \
+    binds_at_start pcl-kss-icp-batch/usr/bin/pcl_kss_icp_batch
+  expect "pcl-kss-icp: without MPI" hasnt "$(dpkg-deb -f pcl-kss-icp_*.deb Depends)" mpi
+fi
+
 if command -v lintian > /dev/null; then
   lintian --fail-on error,warning ./*.deb || result=1
 else

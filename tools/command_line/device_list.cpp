@@ -9,6 +9,7 @@
 
 #include <pcl/registration/kss/devices.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -62,6 +63,20 @@ deviceList(const pcl::kss::Settings& settings)
     // several devices of a platform are used together, and named so
     list += (used.find(name) != std::string::npos ? "* " : "  ") + name + '\n';
   return list + "* runs registrations with --device " + settings.device + '\n';
+}
+
+void
+checkDevice(const std::string& device)
+{
+  if (device == "auto" || device == "host")
+    return;
+  const auto names = pcl::kss::openCLDeviceNames();
+  if (std::none_of(names.begin(), names.end(), [&](const std::string& name) {
+        return name.find(device) != std::string::npos;
+      }))
+    throw std::runtime_error("--device " + device +
+                             ": there is no such OpenCL device; " +
+                             "use host, or a name that --list-devices shows");
 }
 
 } // namespace tool

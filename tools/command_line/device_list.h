@@ -18,4 +18,10 @@ namespace tool {
 std::string
 deviceList(const pcl::kss::Settings& settings);
 
+/** \brief Check that there is such a device.
+ * \throws std::runtime_error where there is none
+ */
+void
+checkDevice(const std::string& device);
+
 } // namespace tool

@@ -4,9 +4,9 @@
 
 #include "options.h"
 
-#include "option_values.h"
+#include "option_words.h"
+#include "registration_options.h"
 #include "setting_options.h"
-#include "wrapped.h"
 
 #include <boost/algorithm/string/predicate.hpp>
 #include <boost/program_options.hpp>
@@ -21,23 +21,14 @@ namespace {
 
 namespace po = boost::program_options;
 
-constexpr setting::Bounds<unsigned int> samples_bounds{20, 1000000000, {"points"}};
-constexpr setting::Bounds<unsigned int> iterations_bounds{1, 1000000, {"iterations"}};
-
-/** Options, and what they are for. */
-struct Group {
-  std::string caption;
-  po::options_description options = {};
-};
-
 /** All options, as words; valueOf() converts them, whose messages say more. */
-std::vector<Group>
+std::vector<OptionGroup>
 groupsOfOptions()
 {
   const auto word = [](const char* name) {
     return po::value<std::string>()->value_name(name);
   };
-  po::options_description files, settings, others;
+  po::options_description files, others;
   // clang-format off
   files.add_options()
     ("transform", word("FILE"), "write the transformation: 4x4 numbers, row by row")
@@ -48,9 +39,6 @@ groupsOfOptions()
     ("guess", word("FILE"), "read a transformation that may be right, as --transform "
      "writes it: it competes with those that are found, and of poses that fit equally "
      "well the nearest to it is taken");
-  settings.add_options()
-    ("samples", word("N"), "points that stand for a mesh (default 10000)")
-    ("max-iterations", word("N"), "iterations of the final ICP at most (default 300)");
   others.add_options()
     ("view", "show the clouds and the poses in a window, also if not registered")
     ("list-devices", "list the OpenCL devices, and mark those that would be used")
@@ -58,42 +46,10 @@ groupsOfOptions()
     ("version", "show the version")
     ("help,h", "show this help (-h)");
   // clang-format on
-  const po::options_description usual = settingOptions(Users::EVERYBODY);
-  for (const auto& option : usual.options())
-    settings.add(option);
   return {{"Files", files},
-          {"Settings", settings},
+          {"Settings", registrationOptions()},
           {"Settings for experts", settingOptions(Users::EXPERTS)},
           {"Others", others}};
-}
-
-/** How wide --help is at most, and where it says what options are. */
-constexpr std::size_t HELP_WIDTH = 79, HELP_COLUMN = 26;
-
-/** An option with what it is, in lines. */
-std::string
-helpOn(const po::option_description& option)
-{
-  std::string name = "  --" + option.long_name();
-  const std::string parameter = option.format_parameter();
-  if (!parameter.empty())
-    name += ' ' + parameter;
-  name += name.size() + 2 > HELP_COLUMN ? "\n" + std::string(HELP_COLUMN, ' ')
-                                        : std::string(HELP_COLUMN - name.size(), ' ');
-  return name + wrapped(option.description(), HELP_WIDTH, HELP_COLUMN) + '\n';
-}
-
-/** The file that an option names; empty if it was not given. */
-std::string
-fileName(const po::variables_map& values, const std::string& option)
-{
-  std::string name;
-  ifGiven(values, option, [&](const auto& value) {
-    if (value.empty())
-      throw UsageError(option, value, "name a file");
-    name = value;
-  });
-  return name;
 }
 
 /** The file of --picture; what has no ending, as pipes, may take PNG, too. */
@@ -107,59 +63,12 @@ pictureName(const po::variables_map& values)
   return name;
 }
 
-/** Whether a word is an axis for --upright, and no file. */
-bool
-isAxis(const std::string& word)
-{
-  const auto& words = setting::rowOf<&pcl::kss::Settings::rotation_axis>().words;
-  return std::any_of(std::begin(words), std::end(words),
-                     [&](const auto& axis) { return axis.word == word; });
-}
-
-/** The command line in words, the two values of --scale-range in one, and --upright
- * with its axis: an option has either one value or all words that follow, and takes the
- * next one for its own, files included. */
-std::vector<std::string>
-wordsOf(int argc, const char* const* argv)
-{
-  std::vector<std::string> words;
-  for (int i = 1; i < argc; ++i) {
-    words.push_back(argv[i]);
-    if (words.back().rfind("--iterations", 0) == 0) // as it was called before
-      words.back().replace(0, 2, "--max-");
-    if (words.back() == "--scale-range" && i + 2 < argc) {
-      words.push_back(std::string(argv[i + 1]) + ' ' + argv[i + 2]);
-      i += 2;
-    }
-    else if (words.back() == "--upright") {
-      const bool has_axis = i + 1 < argc && isAxis(argv[i + 1]);
-      words.push_back(has_axis ? argv[++i] : USUAL_AXIS);
-    }
-  }
-  return words;
-}
-
 } // namespace
 
 Options
 parseOptions(int argc, const char* const* argv)
 {
-  po::options_description all;
-  for (const auto& group : groupsOfOptions())
-    all.add(group.options);
-  all.add_options()("file", po::value<std::vector<std::string>>());
-  po::positional_options_description positional;
-  positional.add("file", -1);
-  // Abbreviations would change their meaning with every option that is added.
-  const int style =
-      po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-  po::variables_map values;
-  po::store(po::command_line_parser(wordsOf(argc, argv))
-                .options(all)
-                .positional(positional)
-                .style(style)
-                .run(),
-            values);
+  const po::variables_map values = valuesOf(groupsOfOptions(), argc, argv);
 
   Options options;
   if (values.count("help"))
@@ -171,13 +80,11 @@ parseOptions(int argc, const char* const* argv)
   if (options.action == Options::Action::SHOW_HELP ||
       options.action == Options::Action::SHOW_VERSION)
     return options;
-  options.settings = settingsOf(values);
+  readRegistrationOptions(values, options);
   if (options.action == Options::Action::LIST_DEVICES)
     return options;
 
-  std::vector<std::string> files;
-  if (values.count("file"))
-    files = values["file"].as<std::vector<std::string>>();
+  const std::vector<std::string> files = filesOf(values);
   if (files.size() < 2 || files.size() > 3)
     throw std::runtime_error("needs SOURCE, TARGET and perhaps ALIGNED, but got " +
                              std::to_string(files.size()) +
@@ -193,12 +100,6 @@ parseOptions(int argc, const char* const* argv)
   options.report = fileName(values, "report");
   options.picture = pictureName(values);
   options.view = values.count("view") > 0;
-  ifGiven(values, "samples", [&](const auto& value) {
-    options.samples = valueOf(samples_bounds, "samples", value);
-  });
-  ifGiven(values, "max-iterations", [&](const auto& value) {
-    options.iterations = valueOf(iterations_bounds, "max-iterations", value);
-  });
   options.quiet = values.count("quiet") > 0;
   return options;
 }
@@ -222,12 +123,8 @@ helpText()
          "Examples:\n"
          "  pcl_kss_icp scan.ply model.stl scan_on_model.ply --picture picture.png\n"
          "  pcl_kss_icp left.pcd right.pcd --rigid --transform left_to_right.txt\n";
-  for (const auto& group : groupsOfOptions()) {
-    text << '\n' << group.caption << ":\n";
-    for (const auto& option : group.options.options())
-      text << helpOn(*option);
-  }
   text
+      << helpOn(groupsOfOptions())
       << "\n"
          "Exit status:\n"
          "  0      registered\n"

@@ -3,7 +3,7 @@
  */
 
 #include "device_list.h"
-#include "io/mesh_sampling.h"
+#include "geometry_registration.h"
 #include "io/read_geometry.h"
 #include "options.h"
 #include "outputs.h"
@@ -17,7 +17,6 @@
 #include "wrapped.h"
 
 #include <pcl/console/print.h>
-#include <pcl/registration/kss/devices.h>
 
 #include <boost/algorithm/string/join.hpp>
 
@@ -47,42 +46,15 @@ complain(std::string message)
   std::cerr << "pcl_kss_icp: " << message << '\n';
 }
 
-void
-checkDevice(const std::string& device)
-{
-  if (device == "auto" || device == "host")
-    return;
-  const auto names = pcl::kss::openCLDeviceNames();
-  if (std::none_of(names.begin(), names.end(), [&](const std::string& name) {
-        return name.find(device) != std::string::npos;
-      }))
-    throw std::runtime_error("--device " + device +
-                             ": there is no such OpenCL device; " +
-                             "use host, or a name that --list-devices shows");
-}
-
-/** Read a file, with a warning where its numbers are too coarse for what they say. */
+/** Read a file, with warnings. */
 Geometry
 read(const std::string& path, bool quiet)
 {
   Geometry geometry = readGeometry(path);
   if (!quiet)
-    for (const auto& assumption : geometry.assumed)
-      complain("warning: " + path + ": " + assumption);
-  if (!quiet && hasSinglePrecision(geometry) &&
-      singlePrecisionIsCoarse(boundingBox(geometry)))
-    complain("warning: " + path +
-             ": its coordinates are far from the origin and held in single precision, "
-             "which rounds them; doubles in .ply or .xyz would be exact");
+    for (const auto& warning : warningsOf(geometry))
+      complain("warning: " + path + ": " + warning);
   return geometry;
-}
-
-/** Points that stand for a mesh; none for what is no mesh. */
-pcl::PCLPointCloud2
-samplesOf(const Geometry& geometry, std::size_t number)
-{
-  return geometry.faces.empty() ? pcl::PCLPointCloud2()
-                                : cloudOf(sampleMesh(geometry, number));
 }
 
 Result
@@ -96,12 +68,7 @@ registerWithProgress(const Geometry& source,
     options.settings.progress = [&](const std::string& stage, double done) {
       bar.show(stage, done);
     };
-  const pcl::PCLPointCloud2 source_samples = samplesOf(source, options.samples);
-  const pcl::PCLPointCloud2 target_samples = samplesOf(target, options.samples);
-  return registerClouds(source.faces.empty() ? source.cloud : source_samples,
-                        target.faces.empty() ? target.cloud : target_samples,
-                        options.settings, guess, options.iterations,
-                        !options.report.empty());
+  return registerGeometries(source, target, guess, options, !options.report.empty());
 }
 
 /** Say how many points were left out, far away from all others. */
@@ -168,10 +135,7 @@ registerFiles(const Options& options)
     showInWindow(options, report);
   if (result.converged)
     return SUCCESS;
-  // a broken driver says nothing about the clouds
-  const bool is_broken = result.cause == pcl::kss::FailureCause::DEVICE ||
-                         result.cause == pcl::kss::FailureCause::OTHER;
-  return is_broken ? FAILED : NOT_REGISTERED;
+  return saysNothingOfClouds(result) ? FAILED : NOT_REGISTERED;
 }
 
 int
@@ -198,7 +162,7 @@ run(const Options& options)
 int
 main(int argc, char** argv)
 {
-  endCleanlyOnSignals();
+  endCleanlyOnSignals("pcl_kss_icp");
   // All that PCL has to say about files and registrations is said here, once.
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   try {

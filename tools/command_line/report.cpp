@@ -126,21 +126,6 @@ valueOf(const Row& row, const Value& value)
 /** \} */
 
 nlohmann::ordered_json
-toJSON(const Options& options)
-{
-  nlohmann::ordered_json settings;
-  pcl::kss::setting::forEach([&](const auto& row) {
-    settings[row.name] = valueOf(row, options.settings.*row.member);
-  });
-  settings["samples"] = options.samples;
-  settings["iterations"] = options.iterations;
-  settings["guess"] = nullptr;
-  if (!options.guess.empty())
-    settings["guess"] = options.guess;
-  return settings;
-}
-
-nlohmann::ordered_json
 toJSON(const std::string& file, const Geometry& geometry)
 {
   return {{"file", file},
@@ -159,6 +144,21 @@ lineOn(const std::string& what, const std::string& text)
 
 } // namespace
 
+nlohmann::ordered_json
+settingsAsJSON(const Options& options)
+{
+  nlohmann::ordered_json settings;
+  pcl::kss::setting::forEach([&](const auto& row) {
+    settings[row.name] = valueOf(row, options.settings.*row.member);
+  });
+  settings["samples"] = options.samples;
+  settings["iterations"] = options.iterations;
+  settings["guess"] = nullptr;
+  if (!options.guess.empty())
+    settings["guess"] = options.guess;
+  return settings;
+}
+
 std::string
 transformationText(const Eigen::Matrix4d& transformation)
 {
@@ -170,11 +170,11 @@ transformationText(const Eigen::Matrix4d& transformation)
   return text.str();
 }
 
-std::string
-reportText(const Result& result,
-           const Options& options,
-           const Geometry& source,
-           const Geometry& target)
+nlohmann::ordered_json
+reportOf(const Result& result,
+         const Options& options,
+         const Geometry& source,
+         const Geometry& target)
 {
   nlohmann::ordered_json report;
   // JSON has no infinity or NaN: the library writes null for them.
@@ -218,14 +218,29 @@ reportText(const Result& result,
                                       {"score", pose.overlap.score},
                                       {"evidence", toJSON(pose.evidence)}});
   report["far_points"] = {result.far_points.source, result.far_points.target};
-  report["settings"] = toJSON(options);
+  report["settings"] = settingsAsJSON(options);
   report["search"] = wordOf<&pcl::kss::Settings::search>(result.search);
   report["device"] = result.device;
+  return report;
+}
+
+std::string
+textOf(const nlohmann::ordered_json& json, int indent)
+{
+  return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string
+reportText(const Result& result,
+           const Options& options,
+           const Geometry& source,
+           const Geometry& target)
+{
+  nlohmann::ordered_json report = reportOf(result, options, source, target);
   for (const auto& stage : result.stages)
     report["seconds"][stage.stage] = stage.seconds;
   report["seconds"]["total"] = result.seconds;
-  // Names of devices may hold anything.
-  return report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+  return textOf(report, 2) + '\n';
 }
 
 std::string

@@ -21,6 +21,8 @@ std::array<std::atomic<const char*>, 8> paths{};
 enum State { RUNNING, HELD, ENDING };
 std::atomic<int> state{RUNNING};
 std::atomic<int> pending{0};
+const char* program = nullptr;
+LastWords last_words;
 /** Whether standard error is one. */
 std::atomic<bool> is_terminal{false};
 
@@ -30,9 +32,9 @@ static_assert(std::atomic<int>::is_always_lock_free &&
               std::atomic<const char*>::is_always_lock_free);
 
 void
-say(const char* text)
+say(const char* text, int file = STDERR_FILENO)
 {
-  [[maybe_unused]] const auto ignored = write(STDERR_FILENO, text, std::strlen(text));
+  [[maybe_unused]] const auto ignored = write(file, text, std::strlen(text));
 }
 
 /** End the program unless it has to wait. Nothing but calls that are safe in a handler,
@@ -46,11 +48,17 @@ endIfRunning(int signal)
   for (const auto& path : paths)
     if (const char* name = path.load())
       unlink(name);
-  if (is_terminal)
-    say("\r\033[K"); // what shows progress
-  say(signal == SIGINT    ? "pcl_kss_icp: ended by SIGINT\n"
-      : signal == SIGTERM ? "pcl_kss_icp: ended by SIGTERM\n"
-                          : "pcl_kss_icp: ended by SIGHUP\n");
+  if (last_words.file >= 0)
+    say(last_words.text, last_words.file);
+  if (program) {
+    if (is_terminal)
+      say("\r\033[K"); // what shows progress
+    say(program);
+    say(signal == SIGINT    ? ": ended by SIGINT\n"
+        : signal == SIGTERM ? ": ended by SIGTERM\n"
+                            : ": ended by SIGHUP\n");
+    say(last_words.advice);
+  }
   _exit(128 + signal);
 }
 
@@ -66,8 +74,9 @@ handle(int signal)
 } // namespace
 
 void
-endCleanlyOnSignals()
+endCleanlyOnSignals(const char* name)
 {
+  program = name;
   is_terminal = isatty(STDERR_FILENO) == 1;
   struct sigaction action = {};
   action.sa_handler = handle;
@@ -82,6 +91,13 @@ endCleanlyOnSignals()
   }
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+}
+
+void
+setLastWords(const LastWords& words)
+{
+  const SignalsHeld held;
+  last_words = words;
 }
 
 RemovedOnSignal::RemovedOnSignal(const std::string& path)
