@@ -34,6 +34,7 @@ ARROWS = {
     "tools/io": [],
     "tools/picture": ["tools/io"],
     "tools/command_line": ["tools/picture", "tools/io"],
+    "tools/multiview": ["tools/command_line", "tools/picture", "tools/io"],
 }
 # What may reach the CL headers, be it by way of another header.
 OPENCL = re.compile(r"src/(opencl/.*|evaluators/(.*_opencl\..*|.*_of_devices\.h|"

@@ -12,11 +12,6 @@
 
 namespace tool {
 
-/** \brief The 4x4 numbers of a transformation, a row per line, with all their digits.
- */
-std::string
-transformationText(const Eigen::Matrix4d& transformation);
-
 /** \brief What was registered, how, and all results, as JSON; numbers that there are
  * none of are null. docs/report.md lists what is in it.
  */
