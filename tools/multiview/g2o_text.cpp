@@ -49,9 +49,9 @@ crossWith(const Eigen::Vector3d& vector)
  *     T' p = exp(w) R (p - c) + R c + t + u.
  *
  * In g2o, an edge from vertex i to vertex j measures Z, which is to be X_i^-1 X_j. As
- * X_i maps scan i to the world, X_target^-1 X_source = T: the edge leads from the target
- * to the source, and Z is T. Its error is (e, q): e is the translation, and q the vector
- * part of the quaternion, of Z^-1 X_i^-1 X_j. With T' for X_i^-1 X_j that is
+ * X_i maps scan i to the world, X_target^-1 X_source = T: the edge leads from the
+ * target to the source, and Z is T. Its error is (e, q): e is the translation, and q
+ * the vector part of the quaternion, of Z^-1 X_i^-1 X_j. With T' for X_i^-1 X_j that is
  *
  *     T^-1 T' p = R^T (exp(w) R (p - c) + R c + u) = exp(R^T w) (p - c) + c + R^T u,
  *

@@ -9,6 +9,7 @@
 #include "picture/short_text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tool {
 namespace {
@@ -74,13 +75,18 @@ drawGraph(const Model& model, const std::vector<std::string>& names)
       svg += "<text class=\"cell-title\" x=\"" + fixedText(cell.x + 10.0, 1) +
              "\" y=\"" + fixedText(cell.y + 19.0, 1) + "\">" + cell.title + "</text>\n";
   }
-  for (const auto* pair : drawnPairs(model.result)) {
+  const auto pairs = drawnPairs(model.result);
+  // the more lines, the finer they are
+  const double fine =
+      1.0 / std::max(1.0, std::sqrt(static_cast<double>(pairs.size()) / 60.0));
+  for (const auto* pair : pairs) {
     const auto& from = layout.places[pair->result.source];
     const auto& to = layout.places[pair->result.target];
     svg += std::string("<line class=\"") + wordOf(pair->verdict) + "\" x1=\"" +
            fixedText(from.x(), 1) + "\" y1=\"" + fixedText(from.y(), 1) + "\" x2=\"" +
            fixedText(to.x(), 1) + "\" y2=\"" + fixedText(to.y(), 1) +
-           "\" stroke-width=\"" + fixedText(1.0 + 3.5 * pair->result.confidence, 1) +
+           "\" stroke-width=\"" +
+           fixedText(std::max(0.6, fine * (1.0 + 3.5 * pair->result.confidence)), 1) +
            "\"><title>" + escaped(wordsOn(*pair, names)) + "</title></line>\n";
   }
   for (std::size_t i = 0; i < layout.places.size(); ++i) {
