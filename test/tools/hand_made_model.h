@@ -94,7 +94,7 @@ handMadeModel(std::size_t points)
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const auto& position : positions)
       sum += position;
-    model.centroids.push_back(sum / static_cast<double>(positions.size()));
+    model.result.scans[i].centroid = sum / static_cast<double>(positions.size());
   }
   for (std::size_t i = 0; i < 12; ++i)
     for (std::size_t j = 0; j < i; ++j) {

@@ -425,7 +425,6 @@ TEST_F(MultiviewFiles, PageOfThousandsStaysSmall)
   const std::size_t number = 3000;
   many.result.scans.resize(number);
   many.result.groups.resize(1);
-  many.centroids.resize(number, Eigen::Vector3d::Zero());
   for (std::size_t i = 0; i < number; ++i) {
     many.result.groups[0].push_back(i);
     many.files.push_back("scan_" + std::to_string(i) + ".ply");

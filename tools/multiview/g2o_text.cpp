@@ -97,7 +97,8 @@ g2oText(const Model& model, const std::vector<std::size_t>& group)
       continue;
     text << "EDGE_SE3:QUAT " << result.target + 1 << ' ' << result.source + 1;
     writePose(text, pose->transformation);
-    const auto information = g2oInformation(*pose, model.centroids[result.source]);
+    const auto information =
+        g2oInformation(*pose, model.result.scans[result.source].centroid);
     for (int row = 0; row < 6; ++row)
       for (int column = row; column < 6; ++column)
         text << ' ' << information(row, column);

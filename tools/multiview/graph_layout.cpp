@@ -23,7 +23,7 @@ flattened(const Model& model, const std::vector<std::size_t>& group)
   Eigen::Matrix3Xd points(3, group.size());
   for (std::size_t i = 0; i < group.size(); ++i) {
     const Eigen::Matrix4d pose = model.result.scans[group[i]].transformation;
-    points.col(i) = Eigen::Affine3d(pose) * model.centroids[group[i]];
+    points.col(i) = Eigen::Affine3d(pose) * model.result.scans[group[i]].centroid;
   }
   points.colwise() -= points.rowwise().mean().eval();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(points *

@@ -27,8 +27,6 @@ struct Model {
   pcl::kss::Multiview result;
   /** \brief The paths of the scans. */
   std::vector<std::string> files;
-  /** \brief The centroid of each scan, in the coordinates of its file. */
-  std::vector<Eigen::Vector3d> centroids;
   /** \brief Reads a scan again, by its number from 0; throws where it cannot. */
   std::function<Geometry(std::size_t)> read;
   /** \brief So many points stand for a mesh. */

@@ -27,11 +27,11 @@ namespace kss {
 
 /** \brief What a pair of scans is to the model. */
 enum class PairVerdict {
-  KEPT,      ///< the model rests on it
-  REJECTED,  ///< it fits by itself, but loops of other pairs, or what other scans show
-             ///< at its pose, speak against it
-  REFUSED,   ///< the scans do not fit at any pose that was found
-  FAILED     ///< it could not be tried
+  KEPT,     ///< the model rests on it
+  REJECTED, ///< it fits by itself, but loops of other pairs, or what other scans show
+            ///< at its pose, speak against it
+  REFUSED,  ///< the scans do not fit at any pose that was found
+  FAILED    ///< it could not be tried
 };
 
 /** \brief A pose of the source of a pair on its target, and how precise it is. */
@@ -85,6 +85,8 @@ struct ScanPose {
   StoredPose transformation = StoredPose::Identity();
   /** \brief The number of its group. */
   std::size_t group = 0;
+  /** \brief The mean of its points, in its own coordinates. */
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   /** \brief Why it could not be used; FailureCause::NONE: it could. */
   Failure failure;
 };
