@@ -26,6 +26,9 @@ ARROWS = {
     "src/refinement": ["src/surfaces", "src/preparation", "src/geometry",
                        "src/support"],
     "src/final": ["src/geometry", "src/support"],
+    "src/scans": ["src/preparation", "src/geometry", "src/support", "src"],
+    # a library of its own, on what is installed
+    "src/multiview": [],
     # where all of them meet
     "src": ["src/final", "src/refinement", "src/search", "src/candidates", "src/preparation",
             "src/geometry", "src/support"],
@@ -36,6 +39,7 @@ ARROWS = {
     "tools/picture": ["tools/io"],
     "tools/command_line": ["tools/picture", "tools/io"],
     "tools/batch": ["tools/crew", "tools/command_line", "tools/io"],
+    "tools/multiview": ["tools/crew", "tools/command_line", "tools/picture", "tools/io"],
 }
 # What may reach the CL headers, be it by way of another header.
 OPENCL = re.compile(r"src/(opencl/.*|evaluators/(.*_opencl\..*|.*_of_devices\.h|"

@@ -8,6 +8,7 @@
 #include "io/write_geometry.h"
 #include "picture_of_result.h"
 #include "report.h"
+#include "transformation_file.h"
 
 #include <filesystem>
 #include <set>

@@ -16,7 +16,6 @@
 
 #include <charconv>
 #include <iomanip>
-#include <limits>
 #include <sstream>
 
 namespace tool {
@@ -157,17 +156,6 @@ settingsAsJSON(const Options& options)
   if (!options.guess.empty())
     settings["guess"] = options.guess;
   return settings;
-}
-
-std::string
-transformationText(const Eigen::Matrix4d& transformation)
-{
-  std::ostringstream text;
-  text << std::setprecision(std::numeric_limits<double>::max_digits10);
-  for (int i = 0; i < 4; ++i)
-    text << transformation(i, 0) << ' ' << transformation(i, 1) << ' '
-         << transformation(i, 2) << ' ' << transformation(i, 3) << '\n';
-  return text.str();
 }
 
 nlohmann::ordered_json

@@ -14,11 +14,6 @@
 
 namespace tool {
 
-/** \brief The 4x4 numbers of a transformation, a row per line, with all their digits.
- */
-std::string
-transformationText(const Eigen::Matrix4d& transformation);
-
 /** \brief How to register, as the report has it. */
 nlohmann::ordered_json
 settingsAsJSON(const Options& options);

@@ -9,9 +9,23 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iomanip>
+#include <limits>
+#include <sstream>
 #include <stdexcept>
 
 namespace tool {
+
+std::string
+transformationText(const Eigen::Matrix4d& transformation)
+{
+  std::ostringstream text;
+  text << std::setprecision(std::numeric_limits<double>::max_digits10);
+  for (int i = 0; i < 4; ++i)
+    text << transformation(i, 0) << ' ' << transformation(i, 1) << ' '
+         << transformation(i, 2) << ' ' << transformation(i, 3) << '\n';
+  return text.str();
+}
 
 Eigen::Matrix4d
 readTransformation(const std::string& path)

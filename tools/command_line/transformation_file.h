@@ -10,6 +10,11 @@
 
 namespace tool {
 
+/** \brief The 4x4 numbers of a transformation, a row per line, with all their digits.
+ */
+std::string
+transformationText(const Eigen::Matrix4d& transformation);
+
 /** \brief Read a transformation as \c --transform writes it: 4x4 numbers, row by row.
  * \throws std::runtime_error naming the file where it holds none, or one that is no
  * similarity

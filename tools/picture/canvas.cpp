@@ -4,6 +4,8 @@
 
 #include "canvas.h"
 
+#include "legible.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -14,39 +16,47 @@
 namespace tool {
 namespace {
 
-/** The text with a question mark for what is no UTF-8, and for control characters:
- * names of files may hold anything, and cairo draws nothing more after such a text. */
-std::string
-legible(const std::string& text)
+/** Write a surface as PNG, unless something has failed before. */
+void
+writeSurface(cairo_surface_t* surface, cairo_status_t status, std::ostream& stream)
 {
-  std::string legible;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto at = [&](std::size_t place) {
-      return place < text.size() ? static_cast<unsigned char>(text[place]) : 0u;
-    };
-    const unsigned int lead = at(i);
-    const std::size_t length = lead < 0x80                   ? 1
-                               : lead >= 0xc2 && lead < 0xe0 ? 2
-                               : lead >= 0xe0 && lead < 0xf0 ? 3
-                               : lead >= 0xf0 && lead < 0xf5 ? 4
-                                                             : 0;
-    std::uint32_t code = length < 2 ? lead : lead & (0x7fu >> length);
-    bool is_valid = length > 0 && lead >= 0x20 && lead != 0x7f;
-    for (std::size_t byte = 1; byte < length; ++byte) {
-      is_valid = is_valid && (at(i + byte) & 0xc0) == 0x80;
-      code = code << 6 | (at(i + byte) & 0x3f);
-    }
-    // longer than need be, halves of pairs, or beyond the last character
-    is_valid = is_valid && !(length == 3 && code < 0x800) &&
-               !(length == 4 && (code < 0x10000 || code > 0x10ffff)) &&
-               !(code >= 0xd800 && code < 0xe000);
-    legible += is_valid ? text.substr(i, length) : "?";
-    i += is_valid ? length : 1;
-  }
-  return legible;
+  const auto write = [](void* to, const unsigned char* data, unsigned int size) {
+    auto& stream = *static_cast<std::ostream*>(to);
+    stream.write(reinterpret_cast<const char*>(data), size);
+    return stream ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+  };
+  if (status == CAIRO_STATUS_SUCCESS)
+    status = cairo_surface_write_to_png_stream(surface, write, &stream);
+  if (status != CAIRO_STATUS_SUCCESS && status != CAIRO_STATUS_WRITE_ERROR)
+    throw std::runtime_error(std::string("the picture cannot be drawn: ") +
+                             cairo_status_to_string(status));
+}
+
+/** An image as cairo has it. */
+SurfacePointer
+surfaceOf(const Image& image)
+{
+  SurfacePointer surface(
+      cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
+  unsigned char* const data = cairo_image_surface_get_data(surface.get());
+  if (!data)
+    throw std::bad_alloc();
+  const int stride = cairo_image_surface_get_stride(surface.get());
+  for (int row = 0; row < image.height; ++row)
+    std::memcpy(data + static_cast<std::ptrdiff_t>(row) * stride,
+                &image.pixels[static_cast<std::size_t>(row) * image.width],
+                sizeof(std::uint32_t) * image.width);
+  cairo_surface_mark_dirty(surface.get());
+  return surface;
 }
 
 } // namespace
+
+void
+writePNG(const Image& image, std::ostream& stream)
+{
+  writeSurface(surfaceOf(image).get(), CAIRO_STATUS_SUCCESS, stream);
+}
 
 Canvas::Canvas(int width, int height)
 : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height))
@@ -164,17 +174,7 @@ Canvas::disk(double x, double y, double radius, const Colour& colour)
 void
 Canvas::image(double x, double y, const Image& image)
 {
-  const std::unique_ptr<cairo_surface_t, Destroy> surface(
-      cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
-  unsigned char* const data = cairo_image_surface_get_data(surface.get());
-  if (!data)
-    throw std::bad_alloc();
-  const int stride = cairo_image_surface_get_stride(surface.get());
-  for (int row = 0; row < image.height; ++row)
-    std::memcpy(data + static_cast<std::ptrdiff_t>(row) * stride,
-                &image.pixels[static_cast<std::size_t>(row) * image.width],
-                sizeof(std::uint32_t) * image.width);
-  cairo_surface_mark_dirty(surface.get());
+  const SurfacePointer surface = surfaceOf(image);
   cairo_set_source_surface(context_.get(), surface.get(), std::round(x), std::round(y));
   cairo_paint(context_.get());
 }
@@ -182,17 +182,7 @@ Canvas::image(double x, double y, const Image& image)
 void
 Canvas::writePNG(std::ostream& stream)
 {
-  const auto write = [](void* to, const unsigned char* data, unsigned int size) {
-    auto& stream = *static_cast<std::ostream*>(to);
-    stream.write(reinterpret_cast<const char*>(data), size);
-    return stream ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
-  };
-  cairo_status_t status = cairo_status(context_.get());
-  if (status == CAIRO_STATUS_SUCCESS)
-    status = cairo_surface_write_to_png_stream(surface_.get(), write, &stream);
-  if (status != CAIRO_STATUS_SUCCESS && status != CAIRO_STATUS_WRITE_ERROR)
-    throw std::runtime_error(std::string("the picture cannot be drawn: ") +
-                             cairo_status_to_string(status));
+  writeSurface(surface_.get(), cairo_status(context_.get()), stream);
 }
 
 void

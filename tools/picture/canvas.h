@@ -23,6 +23,28 @@ struct TextStyle {
   Colour colour{0.13, 0.13, 0.13};
 };
 
+/** \brief Gives back what cairo has made. */
+struct DestroyCairo {
+  void
+  operator()(cairo_surface_t* surface) const
+  {
+    cairo_surface_destroy(surface);
+  }
+
+  void
+  operator()(cairo_t* context) const
+  {
+    cairo_destroy(context);
+  }
+};
+
+using SurfacePointer = std::unique_ptr<cairo_surface_t, DestroyCairo>;
+
+/** \brief Write an image as PNG, clear where it is clear; the stream tells whether it
+ * could be written. */
+void
+writePNG(const Image& image, std::ostream& stream);
+
 /** \brief A white sheet, in pixels from its upper left corner. */
 class Canvas {
 public:
@@ -78,28 +100,14 @@ public:
   writePNG(std::ostream& stream);
 
 private:
-  struct Destroy {
-    void
-    operator()(cairo_surface_t* surface) const
-    {
-      cairo_surface_destroy(surface);
-    }
-
-    void
-    operator()(cairo_t* context) const
-    {
-      cairo_destroy(context);
-    }
-  };
-
   void
   setStyle(const TextStyle& style);
 
   void
   setColour(const Colour& colour);
 
-  std::unique_ptr<cairo_surface_t, Destroy> surface_;
-  std::unique_ptr<cairo_t, Destroy> context_;
+  SurfacePointer surface_;
+  std::unique_ptr<cairo_t, DestroyCairo> context_;
 };
 
 } // namespace tool

@@ -75,6 +75,16 @@ colourOf(double share)
   return scale[std::lround(STEPS * std::min(std::max(share, 0.0), 1.0))];
 }
 
+Colour
+colourOfNumber(std::size_t number)
+{
+  // the golden angle: hues that come later fall into the widest gap
+  const double hue = 0.8 + 2.399963229728653 * static_cast<double>(number);
+  const double lightness = number % 3 == 1 ? 0.80 : 0.70, colourfulness = 0.13;
+  return ofOKLab(
+      {lightness, colourfulness * std::cos(hue), colourfulness * std::sin(hue)});
+}
+
 std::uint32_t
 packed(const Colour& colour)
 {

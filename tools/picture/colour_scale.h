@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace tool {
@@ -26,6 +27,12 @@ constexpr Colour SOURCE_COLOUR{0.95, 0.52, 0.13}, TARGET_COLOUR{0.27, 0.52, 0.82
  */
 Colour
 colourOf(double share);
+
+/** \brief The colour of one of many things that have no order: neighbours in number
+ * differ most, all are about as light, and a dark text on them is legible.
+ */
+Colour
+colourOfNumber(std::size_t number);
 
 /** \brief Opaque and packed, as images have it: alpha, red, green, blue. */
 std::uint32_t

@@ -38,14 +38,14 @@ radiusOf(const Layer& layer, double scale)
 
 } // namespace
 
-void
-drawLayers(Canvas& canvas,
-           const Area& area,
-           const Frame& frame,
-           const std::vector<const Layer*>& layers,
-           double relief)
+Image
+imageOf(int width,
+        int height,
+        const Frame& frame,
+        const std::vector<const Layer*>& layers,
+        double relief)
 {
-  const double scale = frame.pixelsPerUnit(area.width, area.height);
+  const double scale = frame.pixelsPerUnit(width, height);
   std::size_t number = 0;
   for (const Layer* layer : layers)
     number += layer->seen.size();
@@ -57,27 +57,39 @@ drawLayers(Canvas& canvas,
     for (std::size_t i = 0; i < layer->seen.size(); ++i) {
       const auto& seen = layer->seen[i];
       splats.push_back(
-          {static_cast<float>(0.5 * area.width + scale * (seen.x() - frame.middle.x())),
-           static_cast<float>(0.5 * area.height -
-                              scale * (seen.y() - frame.middle.y())),
+          {static_cast<float>(0.5 * width + scale * (seen.x() - frame.middle.x())),
+           static_cast<float>(0.5 * height - scale * (seen.y() - frame.middle.y())),
            static_cast<float>(scale * (seen.z() - nearest)), static_cast<float>(radius),
            layer->colours[layer->colours.size() > 1 ? i : 0]});
     }
   }
+  return drawSplats(splats, width, height, relief);
+}
+
+void
+drawLayers(Canvas& canvas,
+           const Area& area,
+           const Frame& frame,
+           const std::vector<const Layer*>& layers,
+           double relief)
+{
   canvas.image(area.x, area.y,
-               drawSplats(splats, static_cast<int>(area.width),
-                          static_cast<int>(area.height), relief));
+               imageOf(static_cast<int>(area.width), static_cast<int>(area.height),
+                       frame, layers, relief));
+}
+
+double
+roundLength(double most)
+{
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  return power * (most >= 5.0 * power ? 5.0 : most >= 2.0 * power ? 2.0 : 1.0);
 }
 
 void
 drawRuler(Canvas& canvas, const Area& area, const Frame& frame)
 {
   const double scale = frame.pixelsPerUnit(area.width, area.height);
-  const double most = 0.25 * area.width / scale;
-  const double power = std::pow(10.0, std::floor(std::log10(most)));
-  const double length = power * (most >= 5.0 * power   ? 5.0
-                                 : most >= 2.0 * power ? 2.0
-                                                       : 1.0);
+  const double length = roundLength(0.25 * area.width / scale);
   const double x = area.x + 12.0, y = area.y + area.height - 12.0;
   canvas.line(x, y, x + scale * length, y, grey);
   for (const double end : {x, x + scale * length})

@@ -28,6 +28,16 @@ struct Layer {
   std::vector<std::uint32_t> colours;
 };
 
+/** \brief An image of points, clear where there are none.
+ * \param[in] relief see drawSplats()
+ */
+Image
+imageOf(int width,
+        int height,
+        const Frame& frame,
+        const std::vector<const Layer*>& layers,
+        double relief);
+
 /** \brief Draw points.
  * \param[in] relief see drawSplats()
  */
@@ -37,6 +47,10 @@ drawLayers(Canvas& canvas,
            const Frame& frame,
            const std::vector<const Layer*>& layers,
            double relief);
+
+/** \brief The longest of 1, 2 and 5 times a power of ten that is not longer. */
+double
+roundLength(double most);
 
 /** \brief Draw a line in the lower left corner, and how long it is. */
 void
