@@ -7,6 +7,8 @@
 
 #include "place_builder.h"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <random>
 

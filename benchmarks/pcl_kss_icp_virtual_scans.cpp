@@ -70,13 +70,14 @@ scansOf(const std::string& what, const po::variables_map& given)
   return all;
 }
 
-int
-run(int argc, char** argv)
+using Words = std::vector<std::string>;
+
+po::options_description
+visibleOptions()
 {
-  using Words = std::vector<std::string>;
-  po::options_description visible("Options"), hidden, all;
+  po::options_description options("Options");
   // clang-format off
-  visible.add_options()
+  options.add_options()
     ("out", po::value<std::string>()->value_name("DIR"), "the folder to write")
     ("seed", po::value<unsigned int>()->default_value(1), "another thing, other noise "
      "and other frames with every seed")
@@ -85,23 +86,38 @@ run(int argc, char** argv)
     ("model", po::value<Words>()->default_value({}, "")->value_name("FILE"),
      "a mesh in place of each object that is made up; it becomes 0.2 m large")
     ("turn", po::value<std::string>()->value_name("WORD"),
-     "the frames: none, yaw (turned about the vertical; default of lidars), any (turned "
-     "about any axis, and moved; default)")
+     "the frames: none, yaw (turned about the vertical: what lidars get by default), "
+     "any (turned about any axis, and moved: what all others get)")
     ("shuffle", "write the scans in an order that tells nothing; a bag always is")
     ("help,h", "show this help");
-  hidden.add_options()
+  // clang-format on
+  return options;
+}
+
+po::variables_map
+parsed(int argc, char** argv)
+{
+  po::options_description all = visibleOptions();
+  // clang-format off
+  all.add_options()
     ("what", po::value<std::string>())
     ("truth", po::value<Words>()->default_value({}, ""));
   // clang-format on
-  all.add(visible).add(hidden);
   po::positional_options_description order;
   order.add("what", 1).add("truth", -1);
   po::variables_map given;
   po::store(po::command_line_parser(argc, argv).options(all).positional(order).run(),
             given);
   po::notify(given);
+  return given;
+}
+
+int
+run(int argc, char** argv)
+{
+  const po::variables_map given = parsed(argc, argv);
   if (given.count("help") > 0) {
-    std::cout << usage << visible;
+    std::cout << usage << visibleOptions();
     return 0;
   }
   if (given.count("what") == 0 || given.count("out") == 0)

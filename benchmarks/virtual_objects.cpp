@@ -16,7 +16,9 @@ namespace {
 
 constexpr double object_size = 0.2;
 
-/** \brief Views from all around, from somewhat above and now and then from below. */
+/** \brief Views from all around, from somewhat above and now and then from below; few
+ * of them go around a part of it, so that neighbours have half in common.
+ */
 VirtualScans
 viewsOf(const TriangleMesh& mesh,
         const std::string& thing,
@@ -25,9 +27,10 @@ viewsOf(const TriangleMesh& mesh,
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> jitter(-5.0, 5.0), height(-20.0, 45.0);
+  const double step = std::min(360.0 / views, 55.0);
   VirtualScans scans;
   for (std::size_t i = 0; i < views; ++i) {
-    const double around = (360.0 * i / views + jitter(random)) * M_PI / 180.0;
+    const double around = (step * i + jitter(random)) * M_PI / 180.0;
     const double up = height(random) * M_PI / 180.0;
     const Eigen::Vector3d direction(std::cos(up) * std::cos(around),
                                     std::cos(up) * std::sin(around), std::sin(up));

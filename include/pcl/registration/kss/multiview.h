@@ -27,11 +27,11 @@ namespace kss {
 
 /** \brief What a pair of scans is to the model. */
 enum class PairVerdict {
-  KEPT,     ///< the model rests on it
-  REJECTED, ///< it fits by itself, but loops of other pairs, or what other scans show
-            ///< at its pose, speak against it
-  REFUSED,  ///< the scans do not fit at any pose that was found
-  FAILED    ///< it could not be tried
+  KEPT,      ///< the model rests on it
+  REJECTED,  ///< it fits by itself, but loops of other pairs, or what other scans show
+             ///< at its pose, speak against it
+  REFUSED,   ///< the scans do not fit at any pose that was found
+  FAILED     ///< it could not be tried
 };
 
 /** \brief A pose of the source of a pair on its target, and how precise it is. */
