@@ -14,16 +14,19 @@
 #include <pcl/registration/kss_multiview.h>
 
 #include <iostream>
+#include <limits>
 #include <vector>
 
-/** How far it is to the lump of lump.h in a direction: in small steps until inside. */
+/** How far it is to the lump of lump.h in a direction: step by step, never too far. */
 float
 distanceToLump(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction)
 {
-  for (float range = 2.0f; range < 8.0f; range += 0.005f) {
+  for (float range = 2.0f; range < 8.0f;) {
     const Eigen::Vector3f point = origin + range * direction;
-    if (point.norm() < 2.5f && point.norm() < example::radius(point.normalized()))
+    const float gap = point.norm() - example::radius(point.normalized());
+    if (gap < 0.002f)
       return range;
+    range += 0.3f * gap;
   }
   return std::numeric_limits<float>::infinity();
 }
@@ -34,9 +37,9 @@ makeViews()
 {
   example::Scanner camera;
   camera.columns = camera.rows = 150;
-  camera.width = 60.0f;
-  camera.lowest = -30.0f;
-  camera.highest = 30.0f;
+  camera.width = 48.0f;
+  camera.lowest = -24.0f;
+  camera.highest = 24.0f;
   std::vector<example::Scan> views;
   for (int i = 0; i < 8; ++i) {
     const Eigen::Isometry3d place =
