@@ -18,6 +18,37 @@ namespace benchmarks {
 Place
 street(unsigned int seed, double car);
 
+/** \brief Four streets around a block of houses, whose middle lines are a square about
+ * the origin, blockRadius() away from it, and a car that drives there.
+ */
+Place
+block(unsigned int seed, const Eigen::Vector2d& car, double yaw);
+
+inline double
+blockRadius()
+{
+  return 30.0;
+}
+
+/** \brief Furnished rooms, buildingRooms() of them along x and y, each of
+ * buildingRoomSize(), the first with a corner at the origin; neighbours have a door
+ * between them.
+ */
+Place
+building(unsigned int seed);
+
+inline Eigen::Vector2i
+buildingRooms()
+{
+  return {3, 2};
+}
+
+inline Eigen::Vector3d
+buildingRoomSize()
+{
+  return {5.0, 4.2, 2.6};
+}
+
 /** \brief A furnished room with a corner at the origin, of roomSize(). */
 Place
 room(unsigned int seed);

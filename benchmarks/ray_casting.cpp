@@ -106,6 +106,20 @@ Place::distance(const Ray& ray) const
   return nearest;
 }
 
+Place
+Place::slice(const Ray& edge, const Eigen::Vector3d& normal) const
+{
+  Place slice;
+  slice.ground_ = ground_;
+  for (const Body& body : bodies_) {
+    const Eigen::Vector3d way = body.middle - edge.origin;
+    if (std::abs(way.dot(normal)) <= body.reach &&
+        way.dot(edge.direction) >= -body.reach)
+      slice.bodies_.push_back(body);
+  }
+  return slice;
+}
+
 double
 Place::distance(const Body& body, const Ray& ray)
 {

@@ -41,6 +41,14 @@ public:
   double
   distance(const Ray& ray) const;
 
+  /** \brief The part of the place that rays within a half-plane can meet: what a
+   * spinning scanner needs for a column.
+   * \param[in] edge a point of it and the direction from there on, away from its edge
+   * \param[in] normal of the plane
+   */
+  Place
+  slice(const Ray& edge, const Eigen::Vector3d& normal) const;
+
 private:
   enum class Form { BOX, CYLINDER, BALL };
 
