@@ -1,7 +1,6 @@
 # What `cmake --install` puts where. Every install() of the project names a component, of
-# which packages are made: library, development, tool, batch, view, python,
-# licence; bundle is on its
-# own (cmake/bundle/bundle.cmake).
+# which packages are made: library, development, multiview, tool, batch, view, python,
+# licence; bundle is on its own (cmake/bundle/bundle.cmake).
 
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_kss_icp)
@@ -10,6 +9,12 @@ install(TARGETS pcl_kss_icp EXPORT pcl_kss_icpTargets
   RUNTIME COMPONENT library
   LIBRARY COMPONENT library NAMELINK_COMPONENT development
   ARCHIVE COMPONENT development)
+if(TARGET pcl_kss_icp_multiview)
+  install(TARGETS pcl_kss_icp_multiview EXPORT pcl_kss_icpTargets
+    RUNTIME COMPONENT multiview
+    LIBRARY COMPONENT multiview NAMELINK_COMPONENT development
+    ARCHIVE COMPONENT development)
+endif()
 install(DIRECTORY include/pcl DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   COMPONENT development)
 install(FILES ${export_header}

@@ -6,7 +6,7 @@ packages=(
   g++ cmake ninja-build ccache
   libpcl-dev libeigen3-dev
   ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd
-  libboost-program-options-dev nlohmann-json3-dev
+  libboost-program-options-dev nlohmann-json3-dev libceres-dev
   libopenmpi-dev openmpi-bin libboost-mpi-dev libboost-serialization-dev
   pkg-config libcairo2-dev fonts-dejavu-core
   libgtest-dev libbenchmark-dev clang libclang-rt-dev

@@ -30,5 +30,8 @@ kss_icp_man_page(pcl_kss_icp_tool pcl_kss_icp tool
 kss_icp_man_page(pcl_kss_icp_batch pcl_kss_icp_batch batch
   "register many pairs of point clouds"
   --include ${PROJECT_SOURCE_DIR}/cmake/man_page.h2m)
+kss_icp_man_page(pcl_kss_icp_multiview_tool pcl_kss_icp_multiview batch
+  "find the poses of many scans"
+  --include ${PROJECT_SOURCE_DIR}/cmake/man_page.h2m)
 kss_icp_man_page(pcl_kss_icp_view pcl_kss_icp_view view
   "show what pcl_kss_icp has registered" --version-string ${PROJECT_VERSION})

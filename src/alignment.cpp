@@ -33,6 +33,7 @@ struct Alignment::Implementation {
   Aligned
   align(const PreparedPair& clouds,
         const std::optional<double>& guessed_scale,
+        Thoroughness thoroughness,
         Stages& stages);
 
   Settings settings;
@@ -102,6 +103,7 @@ keepTheLikeliest(const PoseScorer& scorer, Alternatives& alternatives)
 Aligned
 Alignment::Implementation::align(const PreparedPair& clouds,
                                  const std::optional<double>& guessed_scale,
+                                 Thoroughness thoroughness,
                                  Stages& stages)
 {
   const auto done = [&stages](double share) { stages.progress(share); };
@@ -139,7 +141,8 @@ Alignment::Implementation::align(const PreparedPair& clouds,
       stages.end();
 
       keepTheLikeliest(scorer, alternatives);
-      if (logOddsOf(alternatives.front()) >= level.convincing)
+      if (logOddsOf(alternatives.front()) >= level.convincing ||
+          thoroughness == Thoroughness::QUICK)
         break;
     }
     catch (const Stopped&) {
@@ -170,17 +173,18 @@ Alignment::align(const LocalCloud& source,
   const PreparedPair clouds = implementation_->preparation.prepared(
       source, target, [&stages](double share) { stages.progress(share); });
   stages.end();
-  return implementation_->align(clouds, guessed_scale, stages);
+  return implementation_->align(clouds, guessed_scale, Thoroughness::USUAL, stages);
 }
 
 Aligned
 Alignment::align(const std::shared_ptr<const PreparedCloud>& source,
                  const std::shared_ptr<const PreparedCloud>& target,
                  const std::optional<double>& guessed_scale,
+                 Thoroughness thoroughness,
                  Stages& stages)
 {
   return implementation_->align(pairOf(source, target, settings()), guessed_scale,
-                                stages);
+                                thoroughness, stages);
 }
 
 std::shared_ptr<const PreparedCloud>

@@ -212,30 +212,24 @@ struct CloudRegistration::Implementation {
                   explains_misfits ? what_would_fit : std::function<std::string()>());
   }
 
-  /** The same for clouds that have been made ready; does not say what would fit where
-   * nothing does.
-   * \param[in] searches whether there are other poses than the guess
-   */
+  /** The same for clouds that have been made ready, without a guess; does not say what
+   * would fit where nothing does. */
   void
   registerScans(const PreparedScan& source,
                 const PreparedScan& target,
-                const std::optional<StoredPose>& guess,
-                bool searches,
+                Thoroughness thoroughness,
                 Stages& stages,
                 Registered& result)
   {
-    throwIfNoSimilarity(guess);
-    const auto scale = checkedScale(source, target, guess, result);
-    if (searches && areCopies(settings, source, target, guess, result))
+    result.far_points = {source.far, target.far};
+    if (areCopies(settings, source, target, {}, result))
       return;
     Alignment& stage = alignmentFor(settings);
     const Aligned aligned =
-        searches ? stage.align(source.prepared, target.prepared, scale, stages)
-                 : Aligned{{}, stage.scorerOf(source.prepared, target.prepared, scale)};
-    if (searches)
-      result.device = stage.deviceName();
+        stage.align(source.prepared, target.prepared, {}, thoroughness, stages);
+    result.device = stage.deviceName();
     const FinalOutcome outcome =
-        settle(settings, aligned, source, target, guess, stages, result);
+        settle(settings, aligned, source, target, {}, stages, result);
     result.failure = failureOf(settings, result.alternatives, outcome.run.get(),
                                outcome.stopped, {});
   }
@@ -404,20 +398,12 @@ CloudRegistration::prepared(const Cloud& cloud)
 }
 
 Registered
-CloudRegistration::align(const PreparedScan& source, const PreparedScan& target)
+CloudRegistration::align(const PreparedScan& source,
+                         const PreparedScan& target,
+                         Thoroughness thoroughness)
 {
   return implementation_->guarded({}, [&](Stages& stages, Registered& result) {
-    implementation_->registerScans(source, target, {}, true, stages, result);
-  });
-}
-
-Registered
-CloudRegistration::adjust(const PreparedScan& source,
-                          const PreparedScan& target,
-                          const StoredPose& pose)
-{
-  return implementation_->guarded(pose, [&](Stages& stages, Registered& result) {
-    implementation_->registerScans(source, target, pose, false, stages, result);
+    implementation_->registerScans(source, target, thoroughness, stages, result);
   });
 }
 

@@ -12,7 +12,7 @@ if(NOT BUILD_SHARED_LIBS OR NOT EXISTS /etc/debian_version OR DEFINED SKBUILD)
   return()
 endif()
 set(packages "")
-foreach(component library development tool batch view python)
+foreach(component library development multiview tool batch view python)
   if(component IN_LIST components)
     list(APPEND packages ${component})
   endif()
@@ -67,6 +67,22 @@ find_package() and pkg-config.
 
 ${about}")
 
+# A package of its own: the solver brings more along than the rest of the library.
+set(multiview_name
+  libpcl-kss-icp-multiview${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+if("multiview" IN_LIST packages)
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+    ", ${multiview_name} (= ${debian_version})")
+endif()
+set(CPACK_DEBIAN_MULTIVIEW_PACKAGE_NAME ${multiview_name})
+set(CPACK_DEBIAN_MULTIVIEW_PACKAGE_SECTION libs)
+set(CPACK_COMPONENT_MULTIVIEW_DESCRIPTION
+"registration of point clouds without a guess - many scans
+pcl::registration::KSSMultiview finds the poses of many scans, without any to
+begin with.
+
+${about}")
+
 set(CPACK_DEBIAN_TOOL_PACKAGE_NAME pcl-kss-icp)
 set(CPACK_DEBIAN_TOOL_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS pcl-kss-icp-view)
@@ -84,9 +100,10 @@ set(CPACK_DEBIAN_BATCH_PACKAGE_NAME pcl-kss-icp-batch)
 set(CPACK_DEBIAN_BATCH_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_BATCH_PACKAGE_SUGGESTS openmpi-bin)
 set(CPACK_COMPONENT_BATCH_DESCRIPTION
-"registration of point clouds without a guess - many pairs
-pcl_kss_icp_batch registers the pairs of a list, in threads or under mpirun,
-and goes on where it was ended.
+"registration of point clouds without a guess - many pairs, many scans
+pcl_kss_icp_batch registers the pairs of a list, and pcl_kss_icp_multiview
+finds the poses of many scans: in threads or under mpirun, and they go on
+where they were ended.
 
 ${about}")
 

@@ -45,25 +45,34 @@ file(WRITE ${scratch}/changelog.Debian
 configure_file(${source}/CHANGELOG.md ${scratch}/changelog COPYONLY)
 run(COMMAND gzip -9 --no-name ${scratch}/changelog ${scratch}/changelog.Debian)
 
-# What packages need of the library, and where dpkg-shlibdeps finds it.
+# What packages need of the libraries, and where dpkg-shlibdeps finds them.
 file(WRITE ${scratch}/debian/control "")
-set(library_folder ${CPACK_TEMPORARY_DIRECTORY})
-if("library" IN_LIST CPACK_COMPONENTS_ALL)
-  string(REGEX MATCH "[0-9.]+$" soversion ${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME})
-  file(WRITE ${scratch}/shlibs "libpcl_kss_icp ${soversion} \
-${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (>= ${CPACK_PACKAGE_VERSION})\n")
-  configure_file(${scratch}/shlibs ${scratch}/debian/shlibs.local COPYONLY)
+set(library_folders "")
+foreach(component library multiview)
+  if(NOT component IN_LIST CPACK_COMPONENTS_ALL)
+    continue()
+  endif()
+  string(TOUPPER ${component} id)
+  set(package ${CPACK_DEBIAN_${id}_PACKAGE_NAME})
+  string(REGEX MATCH "[0-9.]+$" soversion ${package})
   file(GLOB library
-    ${CPACK_TEMPORARY_DIRECTORY}/library/usr/lib/*/libpcl_kss_icp.so.${soversion})
+    ${CPACK_TEMPORARY_DIRECTORY}/${component}/usr/lib/*/libpcl_kss_icp*.so.${soversion})
   if(NOT library)
     message(FATAL_ERROR
-      "The library is not in lib/<architecture>: configure with --fresh, or with another "
+      "A library is not in lib/<architecture>: configure with --fresh, or with another "
       "CMAKE_INSTALL_LIBDIR")
   endif()
-  get_filename_component(library_folder ${library} DIRECTORY)
-  set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA
-    ${CMAKE_CURRENT_LIST_DIR}/triggers ${scratch}/shlibs)
-endif()
+  get_filename_component(folder ${library} DIRECTORY)
+  list(APPEND library_folders -l${folder})
+  get_filename_component(name ${library} NAME)
+  string(REGEX REPLACE "\\.so\\..*" "" name ${name})
+  file(WRITE ${scratch}/${component}/shlibs
+    "${name} ${soversion} ${package} (>= ${CPACK_PACKAGE_VERSION})\n")
+  file(READ ${scratch}/${component}/shlibs line)
+  file(APPEND ${scratch}/debian/shlibs.local "${line}")
+  set(CPACK_DEBIAN_${id}_PACKAGE_CONTROL_EXTRA
+    ${CMAKE_CURRENT_LIST_DIR}/triggers ${scratch}/${component}/shlibs)
+endforeach()
 
 # Debian's own place for Python's packages, whichever one the build tree has.
 file(GLOB python_packages
@@ -105,7 +114,7 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   endforeach()
   if(programs)
     file(MAKE_DIRECTORY ${stage}/DEBIAN) # or dpkg-shlibdeps warns
-    run(COMMAND dpkg-shlibdeps -l${library_folder} -O ${programs}
+    run(COMMAND dpkg-shlibdeps ${library_folders} -O ${programs}
       WORKING_DIRECTORY ${scratch} OUTPUT_VARIABLE needed)
     file(REMOVE_RECURSE ${stage}/DEBIAN)
     string(REGEX REPLACE "^shlibs:Depends=|\n" "" needed "${needed}")

@@ -65,16 +65,27 @@ public:
   run()
   {
     describe();
-    std::vector<ScanPair> next =
-        pairsToTry(scans_, usable(), settings_.all_pairs, settings_.partners);
-    for (int round = 0; round < most_rounds && !next.empty(); ++round) {
-      registerPairs(next, round == 0 ? "pairs" : "more pairs");
+    registerPairs(
+        pairsToTry(resemblances_, usable(), settings_.all_pairs, settings_.partners),
+        ScanTask::Kind::TRY, "pairs");
+    place();
+    // what that has left apart is looked at again, thoroughly
+    for (int round = 0; round < most_rounds; ++round) {
+      const std::vector<ScanPair> wanted =
+          wantedPairs(scans_, usable(), groups_, pairs_, thorough_, settings_.partners);
+      if (wanted.empty())
+        break;
+      registerPairs(wanted, ScanTask::Kind::REGISTER, "pairs of groups");
       place();
-      next = pairsWanted();
     }
+    connectGroups();
     if (settings_.refine)
       refine();
-    return result();
+    Multiview model = result();
+    if (settings_.scale_between_groups)
+      model.links = linksOfGroups(model);
+    model.seconds = stages_.seconds();
+    return model;
   }
 
 private:
@@ -107,6 +118,13 @@ private:
       scans_[i] = std::move(answers[i].description);
       failures_[i] = answers[i].failure;
     }
+    if (usable().size() > settings_.all_pairs) {
+      stages_.begin("resemblances");
+      resemblances_ = resemblancesOf(scans_, usable());
+      stages_.end();
+    }
+    else
+      resemblances_.setZero(scans_.size(), scans_.size());
   }
 
   std::vector<std::size_t>
@@ -119,28 +137,28 @@ private:
     return numbers;
   }
 
+  /** \param[in] kind TRY or REGISTER, which replaces what has been tried before */
   void
-  registerPairs(const std::vector<ScanPair>& pairs, const std::string& stage)
+  registerPairs(const std::vector<ScanPair>& pairs,
+                ScanTask::Kind kind,
+                const std::string& stage)
   {
     std::vector<ScanTask> tasks;
     for (const auto& [source, target] : pairs) {
       ScanTask task;
-      task.kind = ScanTask::Kind::REGISTER;
+      task.kind = kind;
       task.source = source;
       task.target = target;
       tasks.push_back(task);
-      tried_.insert({source, target});
+      if (kind == ScanTask::Kind::REGISTER)
+        thorough_.insert({source, target});
     }
     stages_.begin(stage);
     for (ScanAnswer& answer : work(tasks)) {
       if (answer.failure.cause != FailureCause::NONE)
         answer.pair.failure = answer.failure;
-      pairs_.push_back(std::move(answer.pair));
+      pairs_[{answer.pair.source, answer.pair.target}] = std::move(answer.pair);
     }
-    std::sort(pairs_.begin(), pairs_.end(),
-              [](const PairResult& a, const PairResult& b) {
-                return ScanPair(a.source, a.target) < ScanPair(b.source, b.target);
-              });
     stages_.end();
   }
 
@@ -148,7 +166,10 @@ private:
   void
   place()
   {
-    const std::vector<PoseCandidate> candidates = candidatesOf(pairs_);
+    std::vector<PairResult> pairs = group_pairs_;
+    for (const auto& [scans, pair] : pairs_)
+      pairs.push_back(pair);
+    const std::vector<PoseCandidate> candidates = candidatesOf(pairs);
     Consensus consensus = consensusOf(scans_, candidates, pairs_.size());
     poses_ = std::move(consensus.poses);
     groups_ = std::move(consensus.groups);
@@ -201,11 +222,119 @@ private:
     return links;
   }
 
-  /** Pairs that the graph still needs: none. */
-  std::vector<ScanPair>
-  pairsWanted() const
+  /** The scans of a group where they are. */
+  std::vector<PlacedScan>
+  placed(const PlacedGroup& group) const
   {
-    return {};
+    std::vector<PlacedScan> scans;
+    for (const std::size_t scan : group)
+      scans.push_back({scan, poses_[scan]});
+    return scans;
+  }
+
+  /** All scans of a group show more than one of them: register groups with those that
+   * resemble them most, as wholes. */
+  void
+  connectGroups()
+  {
+    std::set<std::pair<PlacedGroup, PlacedGroup>> tried;
+    for (int round = 0; round < most_rounds; ++round) {
+      std::vector<ScanTask> tasks;
+      for (const auto& [first, second] : resemblingGroups(
+               resemblances_, usable(), groups_, pairs_, settings_.partners)) {
+        const PlacedGroup &source = groups_[second], &target = groups_[first];
+        // of two scans, all has been said
+        if (source.size() + target.size() < 3 || !tried.insert({source, target}).second)
+          continue;
+        ScanTask task;
+        task.kind = ScanTask::Kind::CONNECT;
+        task.source = source.front();
+        task.target = target.front();
+        task.source_group = placed(source);
+        task.target_group = placed(target);
+        tasks.push_back(std::move(task));
+      }
+      if (tasks.empty())
+        return;
+      stages_.begin("groups");
+      const std::vector<ScanAnswer> answers = work(tasks);
+      stages_.end();
+      const std::size_t before = groups_.size();
+      for (std::size_t i = 0; i < tasks.size(); ++i)
+        takeGroups(tasks[i], answers[i].pair);
+      place();
+      if (groups_.size() == before)
+        return;
+    }
+  }
+
+  /** Take what has come of two groups as what it says of two of their scans. */
+  void
+  takeGroups(const ScanTask& task, PairResult pair)
+  {
+    if (pair.failure.cause != FailureCause::NONE || pair.poses.empty())
+      return;
+    const Eigen::Matrix4d T_target_source = pair.poses.front().transformation;
+    double most = -1.0;
+    StoredPose best;
+    for (const PlacedScan& source : task.source_group)
+      for (const PlacedScan& target : task.target_group) {
+        const Eigen::Matrix4d pose =
+            inverted(target.pose) * T_target_source * Eigen::Matrix4d(source.pose);
+        const double overlap =
+            expectedOverlap(scans_[source.scan], scans_[target.scan], pose);
+        if (overlap <= most)
+          continue;
+        most = overlap;
+        best = pose;
+        pair.source = source.scan;
+        pair.target = target.scan;
+      }
+    pair.poses.resize(1);
+    pair.poses.front().transformation = best;
+    pair.poses.front().information.setZero(); // is that of another centroid
+    group_pairs_.push_back(pair);
+  }
+
+  /** Groups that fit each other at whatever scale. */
+  std::vector<GroupLink>
+  linksOfGroups(const Multiview& model)
+  {
+    std::vector<std::size_t> asked; // the largest ones
+    for (std::size_t g = 0; g < model.groups.size(); ++g)
+      if (asked.size() <= settings_.partners &&
+          failures_[model.groups[g].front()].cause == FailureCause::NONE)
+        asked.push_back(g);
+    const auto placedIn = [&](std::size_t group) {
+      std::vector<PlacedScan> scans;
+      for (const std::size_t scan : model.groups[group])
+        scans.push_back({scan, model.scans[scan].transformation});
+      return scans;
+    };
+    std::vector<ScanTask> tasks;
+    for (const std::size_t target : asked)
+      for (const std::size_t source : asked) {
+        if (source <= target)
+          continue;
+        ScanTask task;
+        task.kind = ScanTask::Kind::CONNECT;
+        task.source = source;
+        task.target = target;
+        task.source_group = placedIn(source);
+        task.target_group = placedIn(target);
+        task.estimates_scale = true;
+        tasks.push_back(std::move(task));
+      }
+    stages_.begin("scales of groups");
+    std::vector<GroupLink> links;
+    for (const ScanAnswer& answer : work(tasks)) {
+      const PairResult& pair = answer.pair;
+      if (pair.failure.cause == FailureCause::NONE && !pair.poses.empty())
+        links.push_back({pair.source, pair.target, pair.poses.front().transformation,
+                         pair.confidence, pair.ambiguous});
+    }
+    stages_.end();
+    return links;
   }
 
   /** Pairs of a group that lie on each other. */
@@ -386,16 +515,18 @@ private:
     }
     model.groups = groups_;
     std::map<ScanPair, Eigen::Matrix4d> kept;
-    for (const PairResult& pair : pairs_) {
+    for (const PairResult& pair : group_pairs_)
+      if (judged(pair, group_of).verdict == PairVerdict::KEPT)
+        pairs_[{pair.source, pair.target}] = pair;
+    for (const auto& [scans, pair] : pairs_) {
       model.pairs.push_back(judged(pair, group_of));
       const GraphPair& graph = model.pairs.back();
       if (graph.verdict == PairVerdict::KEPT)
-        kept[{pair.source, pair.target}] = pair.poses[graph.pose].transformation;
+        kept[scans] = pair.poses[graph.pose].transformation;
     }
     for (GraphPair& pair : model.pairs)
       if (!pair.result.poses.empty())
         pair.loops = trianglesOf(pair, kept);
-    model.seconds = stages_.seconds();
     return model;
   }
 
@@ -404,8 +535,10 @@ private:
   Stages stages_;
   std::vector<ScanDescription> scans_;
   std::vector<Failure> failures_;
-  std::set<ScanPair> tried_;
-  std::vector<PairResult> pairs_;
+  Eigen::MatrixXf resemblances_; ///< where there are too many scans for all pairs
+  std::map<ScanPair, PairResult> pairs_; ///< that have been tried
+  std::vector<PairResult> group_pairs_; ///< what groups have said of two of their scans
+  std::set<ScanPair> thorough_;         ///< those that were not tried quickly
   std::vector<PlacedGroup> groups_;
   std::vector<StoredPose> poses_;
 };

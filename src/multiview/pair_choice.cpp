@@ -10,21 +10,86 @@
 
 namespace pcl {
 namespace kss {
+namespace {
+
+/** Of two groups, so many pairs at a time. */
+constexpr std::size_t pairs_of_groups = 3;
+
+/** Pairs that have not been tried are tried after those whose poses have better odds, as
+ * a logarithm, than this. */
+constexpr double untried_log_odds = -5.0;
+
+/** Points of two scans whose features are each other's nearest. */
+using Match = std::pair<Eigen::Index, Eigen::Index>;
+
+std::vector<Match>
+mutualMatches(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b)
+{
+  std::vector<Match> matches;
+  const Eigen::MatrixXf products = a.transpose() * b;
+  if (products.size() == 0)
+    return matches;
+  std::vector<Eigen::Index> best_of_b(products.cols());
+  for (Eigen::Index j = 0; j < products.cols(); ++j)
+    products.col(j).maxCoeff(&best_of_b[j]);
+  for (Eigen::Index i = 0; i < products.rows(); ++i) {
+    Eigen::Index j;
+    products.row(i).maxCoeff(&j);
+    if (best_of_b[j] == i)
+      matches.emplace_back(i, j);
+  }
+  return matches;
+}
+
+} // namespace
 
 double
 resemblance(const ScanDescription& a, const ScanDescription& b)
 {
-  // octaves that only one of them has count against both
-  const double octaves = (a.features.colwise().squaredNorm().array() +
-                              b.features.colwise().squaredNorm().array() >
-                          0.0f)
-                             .count();
-  return octaves > 0.0 ? (a.features.array() * b.features.array()).sum() / octaves
-                       : 0.0;
+  // the widest octave that both have
+  const int octave = std::min(a.octave, b.octave);
+  if (std::max(a.octave, b.octave) - octave > 1)
+    return 0.0;
+  const auto featuresOf = [octave](const ScanDescription& scan) -> Eigen::MatrixXf {
+    const Eigen::Index columns = scan.features.cols() / 2;
+    return scan.octave == octave ? scan.features.leftCols(columns)
+                                 : scan.features.rightCols(columns);
+  };
+  const std::vector<Match> matches = mutualMatches(featuresOf(a), featuresOf(b));
+
+  // of right matches, distances between points are the same in both
+  const double tolerance = 0.1 * std::ldexp(1.0, octave);
+  int most = 0;
+  for (const Match& one : matches) {
+    int agreeing = 0;
+    for (const Match& other : matches) {
+      const double in_a =
+          (a.outline.col(one.first) - a.outline.col(other.first)).norm();
+      const double in_b =
+          (b.outline.col(one.second) - b.outline.col(other.second)).norm();
+      if (in_a > 2.0 * tolerance && std::abs(in_a - in_b) < tolerance)
+        ++agreeing;
+    }
+    most = std::max(most, agreeing);
+  }
+  return most;
+}
+
+Eigen::MatrixXf
+resemblancesOf(const std::vector<ScanDescription>& scans,
+               const std::vector<std::size_t>& usable)
+{
+  Eigen::MatrixXf resemblances = Eigen::MatrixXf::Zero(scans.size(), scans.size());
+  for (const std::size_t a : usable)
+    for (const std::size_t b : usable)
+      if (a < b)
+        resemblances(a, b) = resemblances(b, a) =
+            static_cast<float>(resemblance(scans[a], scans[b]));
+  return resemblances;
 }
 
 std::vector<ScanPair>
-pairsToTry(const std::vector<ScanDescription>& scans,
+pairsToTry(const Eigen::MatrixXf& resemblances,
            const std::vector<std::size_t>& usable,
            std::size_t all_pairs,
            std::size_t partners)
@@ -47,12 +112,106 @@ pairsToTry(const std::vector<ScanDescription>& scans,
     std::vector<std::pair<double, std::size_t>> others;
     for (const std::size_t other : usable)
       if (other != scan)
-        others.emplace_back(-resemblance(scans[scan], scans[other]), other);
+        others.emplace_back(-resemblances(scan, other), other);
     std::partial_sort(others.begin(), others.begin() + partners, others.end());
     for (std::size_t p = 0; p < partners; ++p)
       add(scan, others[p].second);
   }
   return {pairs.begin(), pairs.end()};
+}
+
+namespace {
+
+/** A pair of scans, the most promising one first. */
+using Promising = std::pair<double, ScanPair>;
+
+/** The pairs between two groups, the lower number of these first. */
+using PairsBetween =
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<Promising>>;
+
+PairsBetween
+pairsBetween(const Eigen::MatrixXf& resemblances,
+             const std::vector<std::size_t>& usable,
+             const std::vector<std::vector<std::size_t>>& groups,
+             const std::map<ScanPair, PairResult>& tried)
+{
+  std::map<std::size_t, std::size_t> group_of;
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (const std::size_t scan : groups[g])
+      group_of[scan] = g;
+  PairsBetween between;
+  for (const std::size_t a : usable)
+    for (const std::size_t b : usable) {
+      if (a >= b || group_of[a] == group_of[b])
+        continue;
+      const auto found = tried.find({a, b});
+      if (found != tried.end() && found->second.poses.empty())
+        continue; // they are too different for a pose
+      const double promise = found == tried.end()
+                                 ? untried_log_odds - 1.0 / (1.0 + resemblances(a, b))
+                                 : found->second.poses.front().log_odds;
+      between[std::minmax(group_of[a], group_of[b])].push_back({-promise, {a, b}});
+    }
+  for (auto& [both, pairs] : between)
+    std::sort(pairs.begin(), pairs.end());
+  return between;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>>
+resemblingGroups(const PairsBetween& between, std::size_t groups, std::size_t partners)
+{
+  using Partner = std::pair<double, std::pair<std::size_t, std::size_t>>;
+  std::vector<std::vector<Partner>> partners_of(groups);
+  for (const auto& [both, pairs] : between) {
+    partners_of[both.first].push_back({pairs.front().first, both});
+    partners_of[both.second].push_back({pairs.front().first, both});
+  }
+  std::set<std::pair<std::size_t, std::size_t>> resembling;
+  for (auto& others : partners_of) {
+    std::sort(others.begin(), others.end());
+    for (std::size_t i = 0; i < std::min(partners, others.size()); ++i)
+      resembling.insert(others[i].second);
+  }
+  return {resembling.begin(), resembling.end()};
+}
+
+} // namespace
+
+std::vector<ScanPair>
+wantedPairs(const Eigen::MatrixXf& resemblances,
+            const std::vector<std::size_t>& usable,
+            const std::vector<std::vector<std::size_t>>& groups,
+            const std::map<ScanPair, PairResult>& tried,
+            const std::set<ScanPair>& thorough,
+            std::size_t partners)
+{
+  PairsBetween between = pairsBetween(resemblances, usable, groups, tried);
+  for (auto both = between.begin(); both != between.end();) {
+    std::vector<Promising>& pairs = both->second;
+    pairs.erase(std::remove_if(
+                    pairs.begin(), pairs.end(),
+                    [&](const Promising& pair) { return thorough.count(pair.second); }),
+                pairs.end());
+    both = pairs.empty() ? between.erase(both) : std::next(both);
+  }
+  std::vector<ScanPair> wanted;
+  for (const auto& both : resemblingGroups(between, groups.size(), partners)) {
+    const std::vector<Promising>& pairs = between.at(both);
+    for (std::size_t p = 0; p < std::min(pairs_of_groups, pairs.size()); ++p)
+      wanted.push_back(pairs[p].second);
+  }
+  return wanted;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>>
+resemblingGroups(const Eigen::MatrixXf& resemblances,
+                 const std::vector<std::size_t>& usable,
+                 const std::vector<std::vector<std::size_t>>& groups,
+                 const std::map<ScanPair, PairResult>& tried,
+                 std::size_t partners)
+{
+  return resemblingGroups(pairsBetween(resemblances, usable, groups, tried),
+                          groups.size(), partners);
 }
 
 } // namespace kss

@@ -7,6 +7,8 @@
 #include <pcl/registration/kss/scan_work.h>
 
 #include <cstddef>
+#include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -19,21 +21,52 @@ using ScanPair = std::pair<std::size_t, std::size_t>;
 /** \brief The pairs of scans in the order in which they are worth a try: all of them,
  * where there are few scans; otherwise, of each scan, those that resemble it most and
  * those next to it in the order given, as scanners go on from where they are.
- * \param[in] scans descriptions
+ * \param[in] resemblances of all scans, where there are more than that
  * \param[in] usable the numbers of those that can be used
  * \param[in] all_pairs up to so many scans, all pairs
  * \param[in] partners otherwise so many of each
  */
 std::vector<ScanPair>
-pairsToTry(const std::vector<ScanDescription>& scans,
+pairsToTry(const Eigen::MatrixXf& resemblances,
            const std::vector<std::size_t>& usable,
            std::size_t all_pairs,
            std::size_t partners);
 
-/** \brief How much two scans resemble each other, by their features: the higher the
- * more. */
+/** \brief The pairs that may yet connect groups: of each group, those with the groups
+ * that resemble it most, by what has been tried; some for each.
+ * \param[in] resemblances of all scans, where not all pairs have been tried
+ * \param[in] usable the numbers of those that can be used
+ * \param[in] groups of scans that are connected
+ * \param[in] tried what has come of the pairs that have been tried
+ * \param[in] thorough those of them that need not be tried again
+ * \param[in] partners so many groups for each
+ */
+std::vector<ScanPair>
+wantedPairs(const Eigen::MatrixXf& resemblances,
+            const std::vector<std::size_t>& usable,
+            const std::vector<std::vector<std::size_t>>& groups,
+            const std::map<ScanPair, PairResult>& tried,
+            const std::set<ScanPair>& thorough,
+            std::size_t partners);
+
+/** \brief Groups that may show the same thing: of each group those that resemble it
+ * most, as for wantedPairs(). The lower number of the two is first. */
+std::vector<std::pair<std::size_t, std::size_t>>
+resemblingGroups(const Eigen::MatrixXf& resemblances,
+                 const std::vector<std::size_t>& usable,
+                 const std::vector<std::vector<std::size_t>>& groups,
+                 const std::map<ScanPair, PairResult>& tried,
+                 std::size_t partners);
+
+/** \brief How much two scans resemble each other: how many places of them have the
+ * features of each other, and lie as far apart from one of them. */
 double
 resemblance(const ScanDescription& a, const ScanDescription& b);
+
+/** \brief How much each of some scans resembles each other one; 0 elsewhere. */
+Eigen::MatrixXf
+resemblancesOf(const std::vector<ScanDescription>& scans,
+               const std::vector<std::size_t>& usable);
 
 } // namespace kss
 } // namespace pcl

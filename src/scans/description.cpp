@@ -10,9 +10,11 @@
 #include "geometry/tangent_planes.h"
 #include "preparation/prepared_cloud.h"
 #include "prepared_scan.h"
-#include "scans/pair_features.h"
+#include "scans/local_features.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace pcl {
 namespace kss {
@@ -20,6 +22,9 @@ namespace {
 
 /** Points that show where a scan lies. */
 constexpr std::size_t outline_points = 400;
+
+/** The first ones of them show what its surface is like. */
+constexpr std::size_t described_points = 256;
 
 } // namespace
 
@@ -32,14 +37,31 @@ descriptionOf(const PreparedScan& scan)
   description.far_points = scan.far;
   description.spacing = median(spacingOf(prepared.dense.neighbourhoods));
   const std::vector<int>& order = prepared.order.indices;
-  description.outline = take(
-      points, {order.begin(), order.begin() + std::min(outline_points, order.size())});
+  const auto first = [&order](std::size_t most) {
+    return std::vector<int>(order.begin(),
+                            order.begin() + std::min(most, order.size()));
+  };
+  description.outline = take(points, first(outline_points));
   const Eigen::Matrix3Xd placed = points.cast<double>().colwise() + prepared.origin;
   description.centroid = placed.rowwise().mean();
   description.outline.colwise() -=
       (description.centroid - prepared.origin).cast<float>();
   const Eigen::Matrix3Xd centred = placed.colwise() - description.centroid;
   description.spread = centred * centred.transpose() / centred.cols();
+
+  // octaves of lengths, so that scans of different sizes have some in common
+  description.octave = static_cast<int>(
+      std::floor(std::log2(std::sqrt(description.spread.trace()) / 2.0)));
+  const std::vector<int> described = first(described_points);
+  const Points normals = normalsOf(points, prepared.surface.neighbourhoods, 1);
+  const auto features = [&](int octave) {
+    return localFeatures(points, normals, described,
+                         static_cast<float>(std::ldexp(1.0, octave)));
+  };
+  const Eigen::MatrixXf wide = features(description.octave);
+  const Eigen::MatrixXf narrow = features(description.octave - 1);
+  description.features.resize(wide.rows(), wide.cols() + narrow.cols());
+  description.features << wide, narrow;
   return description;
 }
 

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
+#include <pcl/registration/kss/detail/usable_points.h>
 #include <pcl/registration/kss/scan_work.h>
 
 #include "prepared_scan.h"
@@ -11,7 +12,9 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <mutex>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -65,6 +68,9 @@ takeStep(const Registered& stepped, PairResult& pair)
     pair.poses = {pose};
 }
 
+/** So many points of a group are registered: no fewer than what judges poses. */
+constexpr std::size_t most_points_of_group = 400000;
+
 /** How the scans are registered: pairs side by side, each in one thread. */
 Settings
 settingsOfPairs(Settings settings)
@@ -115,9 +121,48 @@ struct ScanWorker::Implementation {
         [&](CloudRegistration& registration) { return registration.prepared(cloud); });
   }
 
+  /** The points of a group in its frame. */
+  Cloud
+  merged(const std::vector<PlacedScan>& group)
+  {
+    std::vector<Eigen::Vector3d> points;
+    for (const PlacedScan& placed : group) {
+      const ScanStore::Scan scan = store.get(placed.scan);
+      std::vector<Eigen::Index> all(scan->local.points.cols());
+      std::iota(all.begin(), all.end(), 0);
+      for (const Eigen::Index i :
+           spread(all, std::max<std::size_t>(1, most_points_of_group / group.size()))) {
+        const Eigen::Vector3d at =
+            scan->local.points.col(i).cast<double>() + scan->local.origin;
+        points.emplace_back((placed.pose * at.homogeneous()).head<3>());
+      }
+    }
+    Cloud cloud;
+    cloud.points.resize(3, points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      cloud.points.col(i) = points[i];
+    return cloud;
+  }
+
+  void
+  connect(const ScanTask& task, ScanAnswer& answer)
+  {
+    Settings of_groups = settings;
+    of_groups.estimate_scale = task.estimates_scale;
+    CloudRegistration registration(of_groups);
+    const auto source = registration.prepared(merged(task.source_group));
+    const auto target = registration.prepared(merged(task.target_group));
+    take(registration.align(*source, *target), answer.pair);
+    answer.pair.of_groups = true;
+  }
+
   void
   answer(const ScanTask& task, ScanAnswer& answer)
   {
+    if (task.kind == ScanTask::Kind::CONNECT) {
+      connect(task, answer);
+      return;
+    }
     const ScanStore::Scan source = store.get(task.source);
     if (task.kind == ScanTask::Kind::DESCRIBE) {
       answer.description = descriptionOf(*source);
@@ -127,8 +172,8 @@ struct ScanWorker::Implementation {
     borrowing([&](CloudRegistration& registration) {
       if (task.kind == ScanTask::Kind::REGISTER)
         take(registration.align(*source, *target), answer.pair);
-      else if (task.kind == ScanTask::Kind::ADJUST)
-        take(registration.adjust(*source, *target, task.pose), answer.pair);
+      else if (task.kind == ScanTask::Kind::TRY)
+        take(registration.align(*source, *target, Thoroughness::QUICK), answer.pair);
       else
         takeStep(registration.step(*source, *target, task.pose), answer.pair);
       return true;

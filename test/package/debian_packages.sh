@@ -74,6 +74,10 @@ fi
 
 if [ -d pcl-kss-icp-batch ]; then
   expect "pcl-kss-icp-batch: program" [ -x pcl-kss-icp-batch/usr/bin/pcl_kss_icp_batch ]
+  expect "pcl-kss-icp-batch: many scans" \
+    [ -x pcl-kss-icp-batch/usr/bin/pcl_kss_icp_multiview ]
+  expect "pcl-kss-icp-batch: depends" \
+    has "$(dpkg-deb -f pcl-kss-icp-batch_*.deb Depends)" "libpcl-kss-icp-multiview[0-9.]* \(>= "
   expect "pcl-kss-icp-batch: hardening" \
     binds_at_start pcl-kss-icp-batch/usr/bin/pcl_kss_icp_batch
   expect "pcl-kss-icp: without MPI" hasnt "$(dpkg-deb -f pcl-kss-icp_*.deb Depends)" mpi

@@ -58,8 +58,8 @@ toJSON(const pcl::kss::ScanDescription& scan)
 {
   return {{"centroid", toJSON(scan.centroid)}, {"spread", toJSON(scan.spread)},
           {"outline", toJSON(scan.outline)},   {"spacing", scan.spacing},
-          {"rows", scan.features.rows()},      {"features", toJSON(scan.features)},
-          {"far", scan.far_points}};
+          {"rows", scan.features.rows()},      {"octave", scan.octave},
+          {"features", toJSON(scan.features)}, {"far", scan.far_points}};
 }
 
 pcl::kss::ScanDescription
@@ -74,6 +74,7 @@ descriptionFrom(const json& value)
   const Eigen::Index rows = value.at("rows");
   scan.features.resize(rows, rows ? value.at("features").size() / rows : 0);
   fromJSON(value.at("features"), scan.features);
+  scan.octave = value.at("octave");
   scan.far_points = value.at("far");
   return scan;
 }
@@ -83,14 +84,17 @@ toJSON(const pcl::kss::PairResult& pair)
 {
   json poses = json::array();
   for (const auto& pose : pair.poses)
-    poses.push_back({{"transformation", toJSON(pose.transformation)},
-                     {"information", toJSON(pose.information)},
-                     {"overlap",
-                      {pose.overlap.source, pose.overlap.target, pose.overlap.score}},
-                     {"log_odds", pose.log_odds}});
-  return {{"source", pair.source},         {"target", pair.target},
-          {"poses", poses},                {"confidence", pair.confidence},
-          {"ambiguous", pair.ambiguous},   {"failure", toJSON(pair.failure)}};
+    poses.push_back(
+        {{"transformation", toJSON(pose.transformation)},
+         {"information", toJSON(pose.information)},
+         {"overlap", {pose.overlap.source, pose.overlap.target, pose.overlap.score}},
+         {"log_odds", pose.log_odds}});
+  return {{"source", pair.source},
+          {"target", pair.target},
+          {"poses", poses},
+          {"confidence", pair.confidence},
+          {"ambiguous", pair.ambiguous},
+          {"failure", toJSON(pair.failure)}};
 }
 
 pcl::kss::PairResult
@@ -110,8 +114,29 @@ pairFrom(const json& value)
   }
   pair.confidence = value.at("confidence");
   pair.ambiguous = value.at("ambiguous");
+  pair.of_groups = value.at("of_groups");
   pair.failure = failureFrom(value.at("failure"));
   return pair;
+}
+
+json
+toJSON(const std::vector<pcl::kss::PlacedScan>& group)
+{
+  json scans = json::array();
+  for (const auto& placed : group)
+    scans.push_back({{"scan", placed.scan}, {"pose", toJSON(placed.pose)}});
+  return scans;
+}
+
+std::vector<pcl::kss::PlacedScan>
+groupFrom(const json& value)
+{
+  std::vector<pcl::kss::PlacedScan> group(value.size());
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    group[i].scan = value[i].at("scan");
+    fromJSON(value[i].at("pose"), group[i].pose);
+  }
+  return group;
 }
 
 ScanTask
@@ -124,6 +149,11 @@ taskFrom(const std::string& job)
   task.target = value.at("target");
   if (value.contains("pose"))
     fromJSON(value.at("pose"), task.pose);
+  if (value.contains("source_group")) {
+    task.source_group = groupFrom(value.at("source_group"));
+    task.target_group = groupFrom(value.at("target_group"));
+    task.estimates_scale = value.at("estimates_scale");
+  }
   return task;
 }
 
@@ -159,8 +189,13 @@ jobOf(const ScanTask& task)
   json value = {{"kind", static_cast<int>(task.kind)},
                 {"source", task.source},
                 {"target", task.target}};
-  if (task.kind == ScanTask::Kind::ADJUST || task.kind == ScanTask::Kind::STEP)
+  if (task.kind == ScanTask::Kind::STEP)
     value["pose"] = toJSON(task.pose);
+  if (task.kind == ScanTask::Kind::CONNECT) {
+    value["source_group"] = toJSON(task.source_group);
+    value["target_group"] = toJSON(task.target_group);
+    value["estimates_scale"] = task.estimates_scale;
+  }
   return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 

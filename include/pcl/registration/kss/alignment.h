@@ -91,6 +91,12 @@ struct Aligned {
   PoseScorer scorer;         ///< of the same two clouds
 };
 
+/** \brief How thoroughly poses are searched for. */
+enum class Thoroughness {
+  USUAL, ///< again in finer steps, where no pose convinces
+  QUICK  ///< in coarse steps alone: a third of the time, for pairs that are many
+};
+
 /** \brief The alignment stage of KSS-ICP: from two clouds to the distinct poses at
  * which they resemble each other most, without a guess (Algorithm 1 of the paper up to
  * the ICP on the clouds themselves).
@@ -135,6 +141,7 @@ public:
   align(const std::shared_ptr<const PreparedCloud>& source,
         const std::shared_ptr<const PreparedCloud>& target,
         const std::optional<double>& guessed_scale,
+        Thoroughness thoroughness,
         Stages& stages);
 
   /** \brief What the points of two clouds say of poses, without a search.

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <pcl/registration/kss/alignment.h>
 #include <pcl/registration/kss/detail/stopping.h>
 #include <pcl/registration/kss/detail/surface_step.h>
 #include <pcl/registration/kss/export.h>
@@ -102,13 +103,9 @@ public:
    * what would at another scale.
    */
   Registered
-  align(const PreparedScan& source, const PreparedScan& target);
-
-  /** \brief Register them from a pose alone, without a search: its scale stays. */
-  Registered
-  adjust(const PreparedScan& source,
-         const PreparedScan& target,
-         const StoredPose& pose);
+  align(const PreparedScan& source,
+        const PreparedScan& target,
+        Thoroughness thoroughness = Thoroughness::USUAL);
 
   /** \brief One step of ICP, of all points that match at a pose.
    * \return where it leads, and how precise that is; no alternatives, and a failure only

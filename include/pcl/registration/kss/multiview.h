@@ -59,6 +59,9 @@ struct PairResult {
   double confidence = 0.0;
   /** \brief Whether the second pose is about as good as the first. */
   bool ambiguous = false;
+  /** \brief Whether all scans of the two's groups, as they were then, have been
+   * registered with each other instead of the two alone. */
+  bool of_groups = false;
   /** \brief Why the first pose cannot be relied on by itself. */
   Failure failure;
 };
@@ -91,6 +94,18 @@ struct ScanPose {
   Failure failure;
 };
 
+/** \brief What is known of the frames of two groups. */
+struct GroupLink {
+  std::size_t source = 0; ///< the number of a group
+  std::size_t target = 0; ///< the number of another one
+  /** \brief The similarity that maps the frame of the source to that of the target. */
+  StoredPose transformation = StoredPose::Identity();
+  /** \brief How sure it is that this is right, in [0, 1]. */
+  double confidence = 0.0;
+  /** \brief Whether another one fits about as well. */
+  bool ambiguous = false;
+};
+
 /** \brief Many scans in common frames. */
 struct Multiview {
   /** \brief A pose for each scan, in their order. */
@@ -100,6 +115,9 @@ struct Multiview {
   std::vector<std::vector<std::size_t>> groups;
   /** \brief All pairs that were tried, by source, then target. */
   std::vector<GraphPair> pairs;
+  /** \brief Groups of other units that fit each other, where that was asked for: see
+   * MultiviewSettings::scale_between_groups. */
+  std::vector<GroupLink> links;
   /** \brief Why there is nothing, or no end; FailureCause::NONE: all is done. */
   Failure failure;
   /** \brief Wall time of the stages. */

@@ -19,12 +19,20 @@
 namespace pcl {
 namespace kss {
 
+/** \brief A scan, and a pose that takes it to a frame that others are in, too. */
+struct PlacedScan {
+  std::size_t scan = 0;
+  StoredPose pose = StoredPose::Identity();
+};
+
 /** \brief A piece of work. */
 struct ScanTask {
   enum class Kind {
     DESCRIBE, ///< what the scan \ref source is like
     REGISTER, ///< register \ref source and \ref target without a guess
-    ADJUST,   ///< register them from \ref pose alone, and say how precisely they lie
+    TRY,      ///< the same, but quickly: see Thoroughness
+    CONNECT,  ///< register the points of all scans of \ref source_group with those of
+              ///< \ref target_group
     STEP      ///< where one step of ICP leads from \ref pose, and how precise that is
   };
 
@@ -32,6 +40,9 @@ struct ScanTask {
   std::size_t source = 0, target = 0;
   /** \brief A pose of the source on the target. */
   StoredPose pose = StoredPose::Identity();
+  std::vector<PlacedScan> source_group, target_group;
+  /** \brief Whether the scale between the two groups is unknown. */
+  bool estimates_scale = false;
 };
 
 /** \brief What a scan is like. */
@@ -44,9 +55,11 @@ struct ScanDescription {
   Eigen::Matrix3Xf outline;
   /** \brief The usual spacing of its points, as those are that judge. */
   double spacing = 0.0;
-  /** \brief What its surface is like, however it is turned: a column for each octave of
-   * distances, of length 1 or 0. */
+  /** \brief What its surface is like around the first points of the outline, however it
+   * is turned: a column for each of them within 2^octave, and then a column for each
+   * within half of that. */
   Eigen::MatrixXf features;
+  int octave = 0;
   std::size_t far_points = 0; ///< points that are too far away from the others
 };
 
@@ -55,7 +68,7 @@ struct ScanAnswer {
   /** \brief Why there is nothing: a scan that cannot be read or used. */
   Failure failure;
   ScanDescription description; ///< of DESCRIBE
-  /** \brief Of REGISTER, ADJUST and STEP: the latter two have one pose at most. */
+  /** \brief Of REGISTER, TRY, CONNECT and STEP: the latter has one pose at most. */
   PairResult pair;
 };
 
@@ -124,6 +137,9 @@ struct MultiviewSettings {
   std::size_t all_pairs = 25;
   /** \brief Of more scans, so many partners are tried for each to begin with. */
   std::size_t partners = 8;
+  /** \brief Whether groups that nothing connects may have units of their own: their
+   * similarities to each other are looked for, see Multiview::links. */
+  bool scale_between_groups = false;
   /** \brief Whether the poses are refined by all overlapping pairs at once. */
   bool refine = true;
 };

@@ -1,0 +1,52 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include "command_line/options.h"
+
+#include <pcl/registration/kss/scan_work.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tool {
+
+/** \brief What the command line asks for. */
+struct MultiviewOptions {
+  enum class Action { CONNECT, SHOW_HELP, SHOW_VERSION };
+
+  Action action = Action::CONNECT;
+  /** \brief The scans, and the folder of the results. */
+  std::vector<std::string> scans;
+  std::string folder;
+  /** \brief Whether to begin anew. */
+  bool restart = false;
+  /** \brief No messages but errors. */
+  bool quiet = false;
+  /** \brief Of each process; 0: its share of the cores. */
+  unsigned int threads = 0;
+  /** \brief How each pair is registered, in one thread, and what stands for a mesh. */
+  Options how;
+  /** \brief Which pairs are tried. */
+  pcl::kss::MultiviewSettings multiview;
+  /** \brief The edge of the cubes of which merged clouds have one point each; 0: they
+   * have all points. */
+  double spacing = 0.0;
+  /** \brief What may be kept of scans in each process, in bytes. */
+  std::size_t room = 0;
+};
+
+/** \brief Read the command line.
+ * \throws std::exception naming the option that is wrong
+ */
+MultiviewOptions
+parseMultiviewOptions(int argc, const char* const* argv);
+
+/** \brief What --help shows. */
+std::string
+multiviewHelpText();
+
+} // namespace tool

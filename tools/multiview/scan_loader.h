@@ -1,0 +1,22 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ */
+
+#pragma once
+
+#include "io/geometry.h"
+
+#include <pcl/registration/kss/cloud_registration.h>
+
+#include <string>
+
+namespace tool {
+
+/** \brief A scan as registrations take it: the finite points of a cloud with what is
+ * known of their normals, or points spread over a mesh.
+ * \param[in] samples so many points stand for a mesh
+ */
+pcl::kss::Cloud
+cloudOf(const Geometry& scan, std::size_t samples);
+
+} // namespace tool
