@@ -38,7 +38,7 @@ protected:
       looks[scan] = lookAt(pointsOf(model_.read(scan), model_.samples),
                            model_.result.scans[scan].transformation, 0);
     std::ofstream stream(path("merged.ply"), std::ios::binary);
-    points_ = writeMergedCloud(model_, group, looks, stream);
+    points_ = writeMergedCloud(model_, group, looks, {}, stream);
     stream.close();
     return readGeometry(path("merged.ply"));
   }
@@ -509,8 +509,10 @@ TEST_F(MultiviewFiles, FolderLosesWhatAnEarlierRunHasLeft)
     scan.failure.cause = pcl::kss::FailureCause::INPUT;
     scan.group = 1;
   }
-  for (const std::size_t scan : {7, 8})
-    model_.result.scans[scan] = {model_.result.scans[scan].transformation, 0, {}};
+  for (const std::size_t scan : {7, 8}) {
+    model_.result.scans[scan].failure = {};
+    model_.result.scans[scan].group = 0;
+  }
   writeFolder(model_, folder);
   EXPECT_FALSE(std::filesystem::exists(folder + "/merged_2.ply"));
   EXPECT_FALSE(std::filesystem::exists(folder + "/graph_2.g2o"));
