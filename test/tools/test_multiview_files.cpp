@@ -38,7 +38,7 @@ protected:
       looks[scan] = lookAt(pointsOf(model_.read(scan), model_.samples),
                            model_.result.scans[scan].transformation, 0);
     std::ofstream stream(path("merged.ply"), std::ios::binary);
-    points_ = writeMergedCloud(model_, group, looks, stream);
+    points_ = writeMergedCloud(model_, group, looks, {}, stream);
     stream.close();
     return readGeometry(path("merged.ply"));
   }
@@ -496,6 +496,27 @@ TEST_F(MultiviewFiles, FolderHasAllFiles)
   EXPECT_EQ(canDrawGroups() ? 6u : 0u, timesIn(page, "data:image/png;base64,iVBOR"));
 }
 
+TEST_F(MultiviewFiles, GroupsAreDrawnWhateverIsFarOut)
+{
+  if (!canDrawGroups())
+    GTEST_SKIP() << "no cairo";
+  const Points points = positionsOf(model_.read(0));
+  const auto pictures = drawGroup({{0, points}, {1, points}}, 120, 90);
+  ASSERT_EQ(3u, pictures.size());
+  EXPECT_EQ("From above", pictures[0].side);
+  Points more = points;
+  for (const double far : {1e6, 1e25, 1e300})
+    more.insert(more.begin() + 5, {far, 0.0, -far});
+  const auto others = drawGroup({{0, more}, {1, points}}, 120, 90);
+  for (int side = 0; side < 3; ++side) {
+    EXPECT_EQ(pictures[side].png, others[side].png) << side;
+    EXPECT_GT(pictures[side].ruler_share, 0.08);
+    EXPECT_LT(pictures[side].ruler_share, 0.26);
+  }
+  EXPECT_TRUE(drawGroup({}, 120, 90).empty());
+  EXPECT_TRUE(drawGroup({{0, {}}}, 120, 90).empty());
+}
+
 TEST_F(MultiviewFiles, FolderLosesWhatAnEarlierRunHasLeft)
 {
   const std::string folder = path("out");
@@ -509,8 +530,10 @@ TEST_F(MultiviewFiles, FolderLosesWhatAnEarlierRunHasLeft)
     scan.failure.cause = pcl::kss::FailureCause::INPUT;
     scan.group = 1;
   }
-  for (const std::size_t scan : {7, 8})
-    model_.result.scans[scan] = {model_.result.scans[scan].transformation, 0, {}};
+  for (const std::size_t scan : {7, 8}) {
+    model_.result.scans[scan].failure = {};
+    model_.result.scans[scan].group = 0;
+  }
   writeFolder(model_, folder);
   EXPECT_FALSE(std::filesystem::exists(folder + "/merged_2.ply"));
   EXPECT_FALSE(std::filesystem::exists(folder + "/graph_2.g2o"));

@@ -152,16 +152,11 @@ writeFolder(const Model& model,
   const std::vector<ScanLook> looks = lookAtGroups(model, groups, done);
 
   FolderFiles files(folder);
-  Model counting = model;
-  counting.read = [&](std::size_t scan) {
-    done();
-    return model.read(scan);
-  };
   std::vector<GroupShow> shows(groups.size());
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const std::string number = std::to_string(i + 1);
     files.write("merged_" + number + ".ply", [&](std::ostream& stream) {
-      shows[i].points = writeMergedCloud(counting, groups[i], looks, stream);
+      shows[i].points = writeMergedCloud(model, groups[i], looks, done, stream);
     });
     files.write("graph_" + number + ".g2o", g2oText(model, groups[i]));
     if (i < PICTURED_GROUPS)

@@ -10,8 +10,11 @@
 #include "picture/panel.h"
 #include "picture/view.h"
 
+#include <pcl/registration/kss/detail/bulk.h>
+
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -57,6 +60,35 @@ extentsOf(const Points& points)
   return extents;
 }
 
+/** Those that are not so far out that nothing else could be seen. */
+std::vector<std::pair<std::size_t, Points>>
+visible(std::vector<std::pair<std::size_t, Points>> scans)
+{
+  constexpr double FARTHEST = 1e18; // its square is a float
+  Points all;
+  for (auto& [number, points] : scans) {
+    const auto is_far = [](const Eigen::Vector3d& point) {
+      return !(point.cwiseAbs().maxCoeff() < FARTHEST);
+    };
+    points.erase(std::remove_if(points.begin(), points.end(), is_far), points.end());
+    all.insert(all.end(), points.begin(), points.end());
+  }
+  if (all.empty())
+    return {};
+  Points some;
+  const std::size_t step = all.size() / pcl::kss::bulk_points + 1;
+  for (std::size_t i = 0; i < all.size(); i += step)
+    some.push_back(all[i]);
+  const pcl::kss::Bulk bulk = pcl::kss::bulkOf(std::move(some));
+  for (auto& [number, points] : scans) {
+    const auto is_out = [&](const Eigen::Vector3d& point) {
+      return !bulk.holds(point);
+    };
+    points.erase(std::remove_if(points.begin(), points.end(), is_out), points.end());
+  }
+  return scans;
+}
+
 SidePicture
 drawSide(const std::string& side,
          const Eigen::Matrix3d& view,
@@ -94,10 +126,11 @@ canDrawGroups()
 }
 
 std::vector<SidePicture>
-drawGroup(const std::vector<std::pair<std::size_t, Points>>& scans,
+drawGroup(const std::vector<std::pair<std::size_t, Points>>& given,
           int width,
           int height)
 {
+  const auto scans = visible(given);
   Points all;
   for (const auto& [number, points] : scans)
     all.insert(all.end(), points.begin(), points.end());

@@ -141,6 +141,7 @@ std::size_t
 writeMergedCloud(const Model& model,
                  const std::vector<std::size_t>& group,
                  const std::vector<ScanLook>& looks,
+                 const std::function<void()>& done,
                  std::ostream& stream)
 {
   Eigen::AlignedBox3d box;
@@ -168,6 +169,8 @@ writeMergedCloud(const Model& model,
       throw std::runtime_error(model.files[scan] + ": has changed since it was read");
     points += writeScan(cloud, model.result.scans[scan].transformation, scan, layout,
                         thinning, output);
+    if (done)
+      done();
   }
   stream.seekp(0);
   stream << headerOf(layout, model, points);

@@ -7,6 +7,7 @@
 #include "model.h"
 #include "scan_points.h"
 
+#include <functional>
 #include <ostream>
 #include <vector>
 
@@ -21,6 +22,7 @@ namespace tool {
  * not finite is left out.
  * \param[in] group the numbers of the scans
  * \param[in] looks at all scans of the model
+ * \param[in] done told of each scan; may be empty
  * \param[in] stream has to be able to go back to its beginning
  * \throws std::runtime_error where a scan cannot be read again
  * \return the number of points
@@ -29,6 +31,7 @@ std::size_t
 writeMergedCloud(const Model& model,
                  const std::vector<std::size_t>& group,
                  const std::vector<ScanLook>& looks,
+                 const std::function<void()>& done,
                  std::ostream& stream);
 
 } // namespace tool

@@ -88,7 +88,7 @@ tbody tr:last-child td { border-bottom: 0; }
 .bar { background: linear-gradient(var(--bar), var(--bar)) no-repeat 0 6px /
   var(--share) 1.35em; }
 .file { overflow-wrap: anywhere; color: var(--quiet); }
-.words { min-width: 230px; }
+.words { min-width: 230px; width: 40%; }
 .more { color: var(--quiet); font-style: italic; }
 details { margin: 8px 0; }
 summary { cursor: pointer; padding: 4px 0; }

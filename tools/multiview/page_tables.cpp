@@ -94,7 +94,7 @@ tableOf(const std::vector<const kss::GraphPair*>& pairs,
 {
   std::string table =
       "<div class=\"scroll\"><table>" +
-      headOf({"Source", "Target", "#Confidence", "#Overlap of source", "#of target",
+      headOf({"Source", "Target", "#Confidence", "#Source covered", "#Target covered",
               "#Deviation", "#Loops", "What speaks for or against it"}) +
       "<tbody>\n";
   for (std::size_t i = 0; i < std::min(most, pairs.size()); ++i)
