@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 namespace benchmarks {
 namespace {
@@ -18,26 +19,25 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double wall = 0.2, door_width = 0.95, door_height = 2.05;
+constexpr double height = 2.6, wall = 0.2, door_width = 0.95, door_height = 2.05;
 
 class Builder : public PlaceBuilder {
 public:
-  explicit Builder(unsigned int seed)
+  Builder(unsigned int seed, Rooms rooms)
   : PlaceBuilder(seed)
   {
-    const Eigen::Vector2i rooms = buildingRooms();
-    const double x = rooms.x() * size_.x(), y = rooms.y() * size_.y();
-    addBlock({-wall, -wall, -wall}, {x, y, 0.0});
-    addBlock({-wall, -wall, size_.z()}, {x, y, size_.z() + wall});
-    for (int i = 0; i <= rooms.x(); ++i)
-      for (int j = 0; j < rooms.y(); ++j)
-        addWall({i * size_.x(), j * size_.y()}, 1, i > 0 && i < rooms.x());
-    for (int i = 0; i < rooms.x(); ++i)
-      for (int j = 0; j <= rooms.y(); ++j)
-        addWall({i * size_.x(), j * size_.y()}, 0, j > 0 && j < rooms.y());
-    for (int i = 0; i < rooms.x(); ++i)
-      for (int j = 0; j < rooms.y(); ++j)
-        furnish({i * size_.x(), j * size_.y()});
+    const std::vector<double> x = buildingWalls(rooms, 0), y = buildingWalls(rooms, 1);
+    addBlock({-wall, -wall, -wall}, {x.back(), y.back(), 0.0});
+    addBlock({-wall, -wall, height}, {x.back(), y.back(), height + wall});
+    for (std::size_t i = 0; i < x.size(); ++i)
+      for (std::size_t j = 0; j + 1 < y.size(); ++j)
+        addWall({x[i], y[j]}, 1, y[j + 1] - y[j], i > 0 && i + 1 < x.size());
+    for (std::size_t i = 0; i + 1 < x.size(); ++i)
+      for (std::size_t j = 0; j < y.size(); ++j)
+        addWall({x[i], y[j]}, 0, x[i + 1] - x[i], j > 0 && j + 1 < y.size());
+    for (std::size_t i = 0; i + 1 < x.size(); ++i)
+      for (std::size_t j = 0; j + 1 < y.size(); ++j)
+        furnish({x[i], y[j]}, {x[i + 1] - wall, y[j + 1] - wall});
   }
 
 private:
@@ -52,9 +52,8 @@ private:
    * its middle, or with a window.
    */
   void
-  addWall(const Vector2d& begin, int axis, bool has_door)
+  addWall(const Vector2d& begin, int axis, double length, bool has_door)
   {
-    const double length = size_[axis];
     const double width = has_door ? door_width : uniform(0.9, 1.8);
     const double open = has_door ? (length - wall - door_width) / 2.0
                                  : uniform(0.5, length - 1.0 - width);
@@ -68,26 +67,25 @@ private:
       largest.z() = top;
       addBlock(smallest, largest);
     };
-    add(-wall, open, 0.0, size_.z(), wall);
-    add(open + width, length - wall, 0.0, size_.z(), wall);
-    add(open, open + width, has_door ? door_height : uniform(2.0, 2.3), size_.z(),
-        wall);
+    add(-wall, open, 0.0, height, wall);
+    add(open + width, length - wall, 0.0, height, wall);
+    add(open, open + width, has_door ? door_height : uniform(2.0, 2.3), height, wall);
     if (!has_door) {
       add(open, open + width, 0.0, uniform(0.7, 1.0), wall);
-      add(open, open + width, 0.0, size_.z(), 0.05); // the pane
+      add(open, open + width, 0.0, height, 0.05); // the pane
     }
   }
 
   /** \brief Pieces in the four quarters, where no door is. */
   void
-  furnish(const Vector2d& corner)
+  furnish(const Vector2d& smallest, const Vector2d& largest)
   {
-    const double x = size_.x() - wall, y = size_.y() - wall;
     const int first = static_cast<int>(uniform(0.0, 4.0));
     for (int quarter = 0; quarter < 4; ++quarter) {
       const bool right = quarter % 2 == 1, back = quarter > 1;
       // from the corner of the room inwards
-      const Vector2d at = corner + Vector2d(right ? x : 0.0, back ? y : 0.0);
+      const Vector2d at(right ? largest.x() : smallest.x(),
+                        back ? largest.y() : smallest.y());
       const Vector2d inwards(right ? -1.0 : 1.0, back ? -1.0 : 1.0);
       switch ((quarter + first) % 4) {
       case 0:
@@ -205,21 +203,19 @@ private:
     for (int i = 0; i < 4; ++i) {
       const Vector2d spot =
           at + inwards.cwiseProduct(Vector2d(uniform(0.3, 1.7), uniform(0.3, 1.3)));
-      const double height = uniform(0.15, 0.6);
-      place_.addBox({spot.x(), spot.y(), height / 2.0},
-                    {uniform(0.2, 0.5), uniform(0.2, 0.5), height}, uniform(0.0, M_PI));
+      const double top = uniform(0.15, 0.6);
+      place_.addBox({spot.x(), spot.y(), top / 2.0},
+                    {uniform(0.2, 0.5), uniform(0.2, 0.5), top}, uniform(0.0, M_PI));
     }
   }
-
-  const Vector3d size_ = buildingRoomSize();
 };
 
 } // namespace
 
 Place
-building(unsigned int seed)
+building(unsigned int seed, Rooms rooms)
 {
-  return Builder(seed).place();
+  return Builder(seed, rooms).place();
 }
 
 } // namespace benchmarks

@@ -24,6 +24,7 @@ constexpr const char* usage =
     "WHAT:\n"
     "  turntable  an object from all around, by a depth camera\n"
     "  building   rooms that doors connect, by a scanner on a tripod\n"
+    "  hotel      the same, and each room fits on each other by its walls\n"
     "  loop       streets around a block of houses, by a lidar of 32 rings\n"
     "  street     a street and back on the other lane, by the same lidar\n"
     "  bag        five objects and two rooms, four to six scans of each, shuffled\n"
@@ -53,7 +54,9 @@ scansOf(const std::string& what, const po::variables_map& given)
   if (what == "turntable")
     return benchmarks::turntableScans(models, number, seed);
   if (what == "building")
-    return benchmarks::buildingScans(number, seed);
+    return benchmarks::buildingScans(benchmarks::Rooms::DIFFERENT, number, seed);
+  if (what == "hotel")
+    return benchmarks::buildingScans(benchmarks::Rooms::EQUAL, number, seed);
   if (what == "loop")
     return benchmarks::loopScans(number, seed);
   if (what == "street")

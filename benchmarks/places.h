@@ -6,6 +6,8 @@
 
 #include "ray_casting.h"
 
+#include <vector>
+
 /** Where the scans are made: another street and another room with every seed. Lengths
  * are metres.
  */
@@ -30,24 +32,28 @@ blockRadius()
   return 30.0;
 }
 
-/** \brief Furnished rooms, buildingRooms() of them along x and y, each of
- * buildingRoomSize(), the first with a corner at the origin; neighbours have a door
- * between them.
+/** \brief How the rooms of a building differ in size. */
+enum class Rooms {
+  DIFFERENT,
+  EQUAL ///< by their walls alone nobody can tell them apart
+};
+
+/** \brief Where the walls of a building are, along x (0) or y (1). */
+inline std::vector<double>
+buildingWalls(Rooms rooms, int axis)
+{
+  if (rooms == Rooms::EQUAL)
+    return axis == 0 ? std::vector<double>{0.0, 5.0, 10.0, 15.0}
+                     : std::vector<double>{0.0, 4.2, 8.4};
+  return axis == 0 ? std::vector<double>{0.0, 4.4, 10.2, 15.0}
+                   : std::vector<double>{0.0, 4.9, 8.6};
+}
+
+/** \brief Furnished rooms between buildingWalls(), 2.6 m high, with a door in the
+ * middle of each wall between two of them.
  */
 Place
-building(unsigned int seed);
-
-inline Eigen::Vector2i
-buildingRooms()
-{
-  return {3, 2};
-}
-
-inline Eigen::Vector3d
-buildingRoomSize()
-{
-  return {5.0, 4.2, 2.6};
-}
+building(unsigned int seed, Rooms rooms);
 
 /** \brief A furnished room with a corner at the origin, of roomSize(). */
 Place

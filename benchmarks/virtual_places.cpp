@@ -8,7 +8,7 @@
 
 #include <cmath>
 #include <random>
-#include <stdexcept>
+#include <vector>
 
 namespace benchmarks {
 namespace {
@@ -68,6 +68,31 @@ lidarAt(const Stand& stand, std::mt19937& random)
   return pose;
 }
 
+/** \brief To and fro through a building: the middle of each room, and the door from
+ * there to the next.
+ */
+std::vector<Eigen::Vector2d>
+standsIn(Rooms rooms)
+{
+  const std::vector<double> x = buildingWalls(rooms, 0), y = buildingWalls(rooms, 1);
+  const double wall = 0.1; // half of it: it is on the near side of its line
+  std::vector<Eigen::Vector2d> stands;
+  std::size_t i = 0;
+  for (std::size_t j = 0; j + 1 < y.size(); ++j) {
+    const double middle = (y[j] + y[j + 1]) / 2.0 - wall;
+    for (std::size_t step = 0; step + 1 < x.size(); ++step) {
+      if (step > 0) {
+        i = j % 2 == 0 ? i + 1 : i - 1;
+        stands.emplace_back(x[j % 2 == 0 ? i : i + 1] - wall, middle);
+      }
+      else if (j > 0)
+        stands.emplace_back((x[i] + x[i + 1]) / 2.0 - wall, y[j] - wall);
+      stands.emplace_back((x[i] + x[i + 1]) / 2.0 - wall, middle);
+    }
+  }
+  return stands;
+}
+
 } // namespace
 
 VirtualScans
@@ -110,33 +135,20 @@ streetScans(std::size_t scans, unsigned int seed)
 }
 
 VirtualScans
-buildingScans(std::size_t scans, unsigned int seed)
+buildingScans(Rooms rooms, std::size_t scans, unsigned int seed)
 {
-  // to and fro through the rooms: one stand in each, and one in the door to the next
-  const Eigen::Vector3d size = buildingRoomSize();
-  const Eigen::Vector2i rooms = buildingRooms();
-  std::vector<Eigen::Vector2d> middles;
-  for (int j = 0; j < rooms.y(); ++j)
-    for (int i = 0; i < rooms.x(); ++i)
-      middles.emplace_back((j % 2 == 0 ? i : rooms.x() - 1 - i) * size.x() +
-                               size.x() / 2.0,
-                           j * size.y() + size.y() / 2.0);
-  const std::size_t stands = 2 * middles.size() - 1;
+  const std::vector<Eigen::Vector2d> stands = standsIn(rooms);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> aside(-0.35, 0.35), yaw(-M_PI, M_PI);
-  const Place place = building(seed);
+  const Place place = building(seed, rooms);
   VirtualScans all;
-  for (std::size_t i = 0; i < (scans == 0 ? stands : scans); ++i) {
-    const std::size_t stand = i % stands;
-    const bool in_door = stand % 2 == 1;
-    const Eigen::Vector2d middle =
-        in_door ? (middles[stand / 2] + middles[stand / 2 + 1]) / 2.0
-                : middles[stand / 2];
+  for (std::size_t i = 0; i < (scans == 0 ? stands.size() : scans); ++i) {
+    const std::size_t stand = i % stands.size();
     const double dx = aside(random), dy = aside(random);
-    const double share = in_door ? 0.3 : 1.0;
+    const double share = stand % 2 == 1 ? 0.3 : 1.0; // a door is narrow
     Eigen::Isometry3d tripod = Eigen::Isometry3d::Identity();
-    tripod.translation() << middle.x() - 0.1 + share * dx,
-        middle.y() - 0.1 + share * dy, 1.5 + 0.2 * aside(random);
+    tripod.translation() << stands[stand].x() + share * dx,
+        stands[stand].y() + share * dy, 1.5 + 0.2 * aside(random);
     tripod.rotate(Eigen::AngleAxisd(yaw(random), Eigen::Vector3d::UnitZ()));
     all.push_back(virtualScan(
         *panorama(place, tripod, 1000 * seed + static_cast<unsigned int>(i)),

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "places.h"
 #include "virtual_scan.h"
 
 #include <cstddef>
@@ -38,7 +39,7 @@ streetScans(std::size_t scans, unsigned int seed);
  * doors on the way.
  */
 VirtualScans
-buildingScans(std::size_t scans, unsigned int seed);
+buildingScans(Rooms rooms, std::size_t scans, unsigned int seed);
 
 /** \brief A room by a depth camera that moves on and turns. */
 VirtualScans

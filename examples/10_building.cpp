@@ -14,11 +14,17 @@
 
 namespace {
 
-constexpr float room = 5.0f, height = 2.6f, wall = 0.2f;
+constexpr float height = 2.6f, wall = 0.2f;
+// no two rooms are of one size: else their walls would fit on each other
+constexpr float lines[2][3] = {{0.0f, 4.4f, 10.0f}, {0.0f, 5.4f, 10.0f}};
 
 /** A wall of a room along x or y (axis 0 or 1), perhaps with a door in its middle. */
 void
-addWall(example::Boxes& flat, Eigen::Vector2f begin, int axis, bool has_door)
+addWall(example::Boxes& flat,
+        const Eigen::Vector2f& begin,
+        int axis,
+        float length,
+        bool has_door)
 {
   const auto add = [&](float from, float to, float bottom) {
     Eigen::Vector3f smallest(begin.x(), begin.y(), bottom), largest = smallest;
@@ -28,10 +34,11 @@ addWall(example::Boxes& flat, Eigen::Vector2f begin, int axis, bool has_door)
     largest.z() = height;
     flat.add(smallest, largest);
   };
-  add(0.0f, has_door ? 2.1f : room, 0.0f);
+  const float door = (length + wall) / 2.0f - 0.5f;
+  add(0.0f, has_door ? door : length, 0.0f);
   if (has_door) {
-    add(2.1f, 3.1f, 2.0f);
-    add(3.1f, room, 0.0f);
+    add(door, door + 1.0f, 2.0f);
+    add(door + 1.0f, length, 0.0f);
   }
 }
 
@@ -40,27 +47,29 @@ example::Boxes
 makeFlat()
 {
   example::Boxes flat;
-  flat.add({0.0f, 0.0f, -0.1f}, {2.0f * room, 2.0f * room + wall, 0.0f});
-  flat.add({0.0f, 0.0f, height}, {2.0f * room, 2.0f * room + wall, height + 0.1f});
+  flat.add({0.0f, 0.0f, -0.1f}, {10.2f, 10.2f, 0.0f});
+  flat.add({0.0f, 0.0f, height}, {10.2f, 10.2f, height + 0.1f});
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 2; ++j) {
-      addWall(flat, {i * room, j * room}, 1, i == 1);
-      addWall(flat, {j * room, i * room}, 0, i == 1);
+      addWall(flat, {lines[0][i], lines[1][j]}, 1, lines[1][j + 1] - lines[1][j],
+              i == 1);
+      addWall(flat, {lines[0][j], lines[1][i]}, 0, lines[0][j + 1] - lines[0][j],
+              i == 1);
     }
   std::mt19937 random(5);
   std::uniform_real_distribution<float> uniform;
   for (int i = 0; i < 60; ++i) { // along the walls, doors left free
-    const float aside = 0.4f + 1.3f * uniform(random), out = 0.4f * uniform(random);
+    const float aside = 0.1f + 0.8f * uniform(random), out = 0.4f * uniform(random);
     const bool turned = uniform(random) < 0.5f;
     Eigen::Vector2f spot(turned ? out : aside, turned ? aside : out);
     Eigen::Vector3f size(0.2f + 0.7f * uniform(random), 0.2f + 0.7f * uniform(random),
                          0.2f + 1.6f * uniform(random));
-    const int corner = i % 16; // which room, and which of its corners
+    const int corner = i % 16; // which of a room's corners, and which room
     for (int axis = 0; axis < 2; ++axis) {
       const bool far = (corner >> axis) % 2 == 1,
                  next = (corner >> (axis + 2)) % 2 == 1;
-      spot[axis] = far ? room - spot[axis] - size[axis] : wall + spot[axis];
-      spot[axis] += next ? room : 0.0f;
+      spot[axis] = far ? lines[axis][next + 1] - spot[axis] - size[axis]
+                       : lines[axis][next] + wall + spot[axis];
     }
     const Eigen::Vector3f smallest(spot.x(), spot.y(), 0.0f);
     flat.add(smallest, smallest + size);
@@ -78,8 +87,8 @@ main()
                             const Eigen::Vector3f& direction) {
     return flat.distance(origin, direction);
   };
-  const Eigen::Vector2d stands[] = {{2.4, 2.7}, {5.1, 2.6}, {7.5, 2.4}, {7.6, 5.1},
-                                    {7.4, 7.7}, {5.1, 7.6}, {2.7, 7.4}, {2.6, 5.1}};
+  const Eigen::Vector2d stands[] = {{2.2, 2.9}, {4.5, 2.8}, {7.4, 2.7}, {7.3, 5.5},
+                                    {7.2, 7.9}, {4.5, 7.8}, {2.4, 7.7}, {2.3, 5.5}};
   std::vector<example::Scan> scans;
   for (const Eigen::Vector2d& stand : stands) {
     const Eigen::Isometry3d place(Eigen::Translation3d(stand.x(), stand.y(), 1.5));

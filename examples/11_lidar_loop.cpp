@@ -90,8 +90,8 @@ main()
   lidar.range = 60.0f;
   lidar.noise = 0.02f;
   std::vector<example::Scan> scans;
-  for (unsigned int i = 0; i < 16; ++i)
-    scans.push_back(example::scanFrom(onTheWay(i / 16.0), lidar, distance, i));
+  for (unsigned int i = 0; i < 12; ++i)
+    scans.push_back(example::scanFrom(onTheWay(i / 12.0), lidar, distance, i));
 
   pcl::registration::KSSMultiview<pcl::PointXYZ> multiview;
   for (const example::Scan& scan : scans)
