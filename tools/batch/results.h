@@ -16,8 +16,8 @@ namespace tool {
 using Counts = std::map<std::string, std::size_t>;
 
 /** \brief Write the files of a folder that tell what has come of all pairs, in the
- * order of the manifest: results.csv, results.jsonl, and times.csv. All of them are put in
- * place, or none.
+ * order of the manifest: results.csv, results.jsonl, and times.csv. All of them are put
+ * in place, or none.
  * \throws std::runtime_error naming the file that cannot be written
  */
 Counts
