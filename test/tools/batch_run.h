@@ -61,7 +61,7 @@ protected:
     write("empty", "");
   }
 
-  /** \brief Random points of a surface without any symmetry, a different one for each number. */
+  /** \brief Random points of a surface without symmetry, another one each. */
   static std::string
   lump(int number, const Eigen::Affine3d& pose)
   {

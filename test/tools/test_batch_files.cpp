@@ -182,6 +182,7 @@ TEST_F(BatchFiles, JournalsWithATornLine)
       EXPECT_TRUE(kept->isDone(0));
       EXPECT_EQ(has_second, kept->isDone(1)) << length;
       kept->noteDone(1, {{"status", "ambiguous"}});
+      EXPECT_EQ("ambiguous", (*kept)[1].at("status"));
     }
     EXPECT_EQ("ambiguous", (*journal())[1].at("status"));
   }

@@ -1,8 +1,8 @@
 /*
  * SPDX-License-Identifier: BSD-3-Clause
  *
- * Does jobs under mpirun --enable-recovery, which does not tell how they ended: the last
- * line of the output does. Some ranks are killed by what they do.
+ * Does jobs under mpirun --enable-recovery, which does not tell how they ended: the
+ * last line of the output does. Some ranks are killed by what they do.
  */
 
 #include "crew/processes.h"

@@ -29,8 +29,8 @@ groupsOfOptions()
     ("out", word("DIR"), "the folder of the results, which is made where there is none")
     ("restart", "begin anew instead of going on with what is in DIR");
   others.add_options()
-    ("threads", word("N"), "pairs that each process does at a time, one thread for each "
-     "(default: as many as there are cores for it)")
+    ("threads", word("N"), "pairs that each process does at a time, one thread for "
+     "each (default: as many as there are cores for it)")
     ("quiet", "no output but files and errors")
     ("version", "show the version")
     ("help,h", "show this help (-h)");

@@ -15,7 +15,7 @@
 
 namespace tool {
 
-/** \brief Read the next record, which goes over several lines where a quoted field does.
+/** \brief Read the next record, of several lines where a quoted field has them.
  * \param[out] record without the line end
  * \param[in,out] line that of the end of what has been read
  * \return false at the end of the stream

@@ -33,8 +33,8 @@ rowHeader();
 std::string
 jobOf(const Pair& pair, const std::string& folder);
 
-/** \brief Do such a job in this thread; files that are broken, and pairs that do not fit,
- * are answers like others.
+/** \brief Do such a job in this thread; what there is to say of files that are broken,
+ * and of pairs that do not fit, are answers like others.
  * \param[in] how to register
  */
 std::string

@@ -15,9 +15,9 @@ namespace tool {
 /** \brief How many pairs have come to what. */
 using Counts = std::map<std::string, std::size_t>;
 
-/** \brief Write the files of a folder that tell what has come of all pairs, in the order
- * of the manifest: results.csv, results.jsonl, and times.csv. All of them are put in
- * place, or none.
+/** \brief Write the files of a folder that tell what has come of all pairs, in the
+ * order of the manifest: results.csv, results.jsonl, and times.csv. All of them are put
+ * in place, or none.
  * \throws std::runtime_error naming the file that cannot be written
  */
 Counts

@@ -16,7 +16,7 @@ namespace tool {
 void
 endCleanlyOnSignals(const char* program);
 
-/** \brief What a signal that ends the program does, too. What it points to must stay. */
+/** \brief What a signal that ends the program does, too; what is named must stay. */
 struct LastWords {
   /** \brief An open file that takes some; -1: none. */
   int file = -1;

@@ -17,9 +17,9 @@ namespace tool {
 
 /** \brief A crew of the threads of all ranks, this one's, which leads, among them.
  *
- * This thread hands out jobs and collects answers; it alone calls MPI. The jobs of a rank
- * that is not heard of any more are given to others, one after another and once each: a
- * job that two ranks have died of is a failure.
+ * This thread hands out jobs and collects answers; it alone calls MPI. The jobs of a
+ * rank that is not heard of any more are given to others, one after another and once
+ * each: a job that two ranks have died of is a failure.
  */
 class RankCrew : public Crew {
 public:
