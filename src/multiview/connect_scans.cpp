@@ -71,8 +71,8 @@ public:
     place();
     // what that has left apart is looked at again, thoroughly
     for (int round = 0; round < most_rounds; ++round) {
-      const std::vector<ScanPair> wanted =
-          wantedPairs(scans_, usable(), groups_, pairs_, thorough_, settings_.partners);
+      const std::vector<ScanPair> wanted = wantedPairs(
+          resemblances_, usable(), groups_, pairs_, thorough_, settings_.partners);
       if (wanted.empty())
         break;
       registerPairs(wanted, ScanTask::Kind::REGISTER, "pairs of groups");
@@ -276,7 +276,7 @@ private:
       return;
     const Eigen::Matrix4d T_target_source = pair.poses.front().transformation;
     double most = -1.0;
-    StoredPose best;
+    StoredPose best = StoredPose::Identity();
     for (const PlacedScan& source : task.source_group)
       for (const PlacedScan& target : task.target_group) {
         const Eigen::Matrix4d pose =

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -20,6 +21,9 @@ namespace {
 /** How often a wrong pose agrees with a right one, by chance: wrong poses are not
  * random, as rooms and objects have planes and axes. */
 constexpr double chance = 0.02;
+
+/** A way by a third group goes by so many candidates to it, and from it. */
+constexpr std::size_t most_of_detours = 4;
 
 /** Two groups, the lower number first. */
 using GroupPair = std::pair<std::size_t, std::size_t>;
@@ -47,6 +51,8 @@ public:
       groups_[i] = {i};
     for (std::size_t c = 0; c < candidates.size(); ++c)
       between_[ordered(candidates[c].source, candidates[c].target)].push_back(c);
+    for (const auto& [groups, those] : between_)
+      noteLikeliest(groups);
     for (const auto& [groups, those] : between_)
       alignments_[groups] = bestAlignment(groups, those);
   }
@@ -112,41 +118,119 @@ private:
                         candidate.transformation) <= reach;
   }
 
-  /** How much more probable an alignment is for what a pair says of it: the likelihood
-   * ratio of that to what it would say were the alignment wrong. */
+  /** How much more probable an alignment is for a pair, or a way by a third group, that
+   * agrees with it: the ratio of what is to be expected of one to chance. */
   static double
-  gain(double agreeing, double disagreeing)
+  gain(double agreeing)
   {
-    return agreeing > 0.0 ? std::log((agreeing + (1.0 - agreeing) * chance) / chance)
-                          : std::log(1.0 - disagreeing);
+    return std::log((agreeing + (1.0 - agreeing) * chance) / chance);
   }
 
+  /** The most probable alignment of two groups. Its odds are against all others, be it
+   * that one or none of those is right. */
   GroupAlignment
   bestAlignment(const GroupPair& groups, const std::vector<std::size_t>& those) const
   {
-    GroupAlignment best;
-    best.odds = -1.0;
+    const std::vector<Detour> detours = detoursBetween(groups);
+    std::vector<GroupAlignment> alignments;
     for (const std::size_t own : those) {
       GroupAlignment alignment;
       alignment.transformation = alignmentBy(candidates_[own], groups);
       alignment.odds = logOdds(candidates_[own].probability) + prior_;
-      // of each other pair, what speaks for it and against it
-      std::map<std::size_t, std::pair<double, double>> others;
-      for (const std::size_t other : those) {
-        const PoseCandidate& candidate = candidates_[other];
-        if (candidate.pair == candidates_[own].pair)
-          continue;
-        auto& [agreeing, disagreeing] = others[candidate.pair];
-        (agrees(candidate, groups, alignment.transformation) ? agreeing
-                                                             : disagreeing) +=
-            candidate.probability;
-      }
-      for (const auto& [pair, said] : others)
-        alignment.odds += gain(said.first, said.second);
-      if (alignment.odds > best.odds)
-        best = alignment;
+      std::map<std::size_t, double> others; // pairs that agree
+      for (const std::size_t other : those)
+        if (const PoseCandidate& candidate = candidates_[other];
+            candidate.pair != candidates_[own].pair &&
+            agrees(candidate, groups, alignment.transformation))
+          others[candidate.pair] += candidate.probability;
+      for (const auto& [pair, agreeing] : others)
+        alignment.odds += gain(agreeing);
+      std::map<std::size_t, double> thirds; // groups
+      for (const Detour& detour : detours)
+        if (agrees(detour, alignment.transformation))
+          thirds[detour.third] = std::max(thirds[detour.third], detour.probability);
+      for (const auto& [third, agreeing] : thirds)
+        alignment.odds += gain(agreeing);
+      alignments.push_back(alignment);
     }
-    return best;
+    const auto best =
+        std::max_element(alignments.begin(), alignments.end(),
+                         [](const auto& a, const auto& b) { return a.odds < b.odds; });
+    GroupAlignment result = *best;
+    double rival = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < those.size(); ++i)
+      if (!agrees(candidates_[those[i]], groups, best->transformation))
+        rival = std::max(rival, alignments[i].odds);
+    for (const Detour& detour : detours)
+      if (!agrees(detour, best->transformation))
+        rival = std::max(rival, logOdds(detour.probability) + prior_);
+    result.odds -= std::log1p(std::exp(rival));
+    return result;
+  }
+
+  /** A way from the second of two groups to the first by a third one. */
+  struct Detour {
+    std::size_t third = 0;
+    std::size_t scan = 0; ///< of the second group, which stands for what is placed
+    double probability = 0.0;
+    Eigen::Matrix4d transformation = Eigen::Matrix4d::Identity();
+  };
+
+  std::vector<Detour>
+  detoursBetween(const GroupPair& groups) const
+  {
+    std::vector<Detour> detours;
+    for (const std::size_t third : neighbours_.at(groups.first)) {
+      if (third == groups.second || !neighbours_.at(groups.second).count(third))
+        continue;
+      const GroupPair one = ordered(groups.first, third);
+      const GroupPair other = ordered(groups.second, third);
+      for (const std::size_t a : likeliest_.at(one))
+        for (const std::size_t b : likeliest_.at(other)) {
+          Detour detour;
+          detour.third = third;
+          detour.scan = group_of_[candidates_[b].source] == groups.second
+                            ? candidates_[b].source
+                            : candidates_[b].target;
+          detour.probability = candidates_[a].probability * candidates_[b].probability;
+          detour.transformation =
+              oriented(alignmentBy(candidates_[a], one), one.first == groups.first) *
+              oriented(alignmentBy(candidates_[b], other), other.first == third);
+          detours.push_back(detour);
+        }
+    }
+    return detours;
+  }
+
+  /** Whether a detour leads to where an alignment does, about: it has twice the error. */
+  bool
+  agrees(const Detour& detour, const Eigen::Matrix4d& T_first_second) const
+  {
+    const Eigen::Matrix4d pose = poses_[detour.scan];
+    return displacement(scans_[detour.scan], T_first_second * pose,
+                        detour.transformation * pose) <=
+           2.0 * agreeing_share * radiusOf(scans_[detour.scan]);
+  }
+
+  /** An alignment of two groups, or the inverse. */
+  static Eigen::Matrix4d
+  oriented(const Eigen::Matrix4d& alignment, bool is_so)
+  {
+    return is_so ? alignment : inverted(alignment);
+  }
+
+  /** Note what of the candidates between two groups ways by a third one go by. */
+  void
+  noteLikeliest(const GroupPair& groups)
+  {
+    std::vector<std::size_t> those = between_.at(groups);
+    std::stable_sort(those.begin(), those.end(), [&](std::size_t a, std::size_t b) {
+      return candidates_[a].probability > candidates_[b].probability;
+    });
+    those.resize(std::min(those.size(), most_of_detours));
+    likeliest_[groups] = those;
+    neighbours_[groups.first].insert(groups.second);
+    neighbours_[groups.second].insert(groups.first);
   }
 
   void
@@ -172,6 +256,7 @@ private:
         continue;
       }
       alignments_.erase(entry->first);
+      likeliest_.erase(entry->first);
       if (entry->first == groups) {
         entry = between_.erase(entry);
         continue;
@@ -188,6 +273,12 @@ private:
       else
         ++entry;
     }
+    for (const std::size_t third : neighbours_[second])
+      neighbours_[third].erase(second);
+    neighbours_.erase(second);
+    neighbours_[first].erase(second);
+    for (const GroupPair& pair : changed)
+      noteLikeliest(pair);
     for (const GroupPair& pair : changed)
       alignments_[pair] = bestAlignment(pair, between_[pair]);
   }
@@ -198,7 +289,9 @@ private:
   std::vector<std::size_t> group_of_;
   std::vector<PlacedGroup> groups_;
   std::vector<StoredPose> poses_;
-  std::map<GroupPair, std::vector<std::size_t>> between_; ///< candidates
+  std::map<GroupPair, std::vector<std::size_t>> between_;   ///< candidates
+  std::map<GroupPair, std::vector<std::size_t>> likeliest_; ///< of these
+  std::map<std::size_t, std::set<std::size_t>> neighbours_; ///< groups with candidates
   std::map<GroupPair, GroupAlignment> alignments_;
 };
 

@@ -31,10 +31,11 @@ constexpr double agreeing_share = 0.1;
 
 /** \brief Unite scans by the poses that most pairs agree on.
  *
- * Groups are united two by two, those first whose alignment is most probable: what
- * speaks for one are the candidates between the two groups that agree with it, against
- * it those that do not. Two that agree close a loop: a wrong pose would have to be wrong
- * in the same way, by chance.
+ * Groups are united two by two, those first whose alignment is most probable. What
+ * speaks for one are the pairs between the two groups, and the ways by a third one, that
+ * agree with it: each of them closes a loop, and a wrong pose would have to be wrong in
+ * the same way, by chance. Against it speak other alignments, as much as they have for
+ * them.
  * \param[in] scans descriptions; of those that cannot be used, empty ones
  * \param[in] candidates of all pairs
  * \param[in] pairs_tried how many pairs have been registered: the more there are for

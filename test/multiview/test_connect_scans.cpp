@@ -91,7 +91,7 @@ protected:
       T_scan_body.push_back(body.randomPose());
       Cloud cloud;
       cloud.points = body.seenFrom({std::cos(angle), std::sin(angle), 0.3},
-                                   T_scan_body.back(), 3000);
+                                   T_scan_body.back(), 2000);
       clouds.push_back(cloud);
     }
     settings.device = "host";

@@ -70,6 +70,11 @@ TEST(Consensus, WantsMoreOfASinglePairAmongMany)
 TEST(Consensus, IsNotLedAstrayByAFifthOfWrongPairsThatAreSure)
 {
   made_up::Scans scans(40);
+  for (std::size_t i = 0; i < 40; ++i) { // around a block, one radius apart
+    const Eigen::AngleAxisd turn(2.0 * M_PI * i / 40.0, Eigen::Vector3d::UnitZ());
+    scans.descriptions[i].centroid.setZero();
+    scans.poses[i] = (turn * Eigen::Translation3d(17.0, 0.0, 0.0)).matrix();
+  }
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   std::size_t wrong = 0;

@@ -113,7 +113,9 @@ TEST(PairChoice, SeesWhatResemblesItselfTurned)
 {
   const ScanDescription scan = scanWith(1);
   ScanDescription turned = scan;
-  turned.outline = Eigen::AngleAxisf(1.0f, Eigen::Vector3f::UnitX()) * scan.outline;
+  turned.outline =
+      Eigen::AngleAxisf(1.0f, Eigen::Vector3f::UnitX()).toRotationMatrix() *
+      scan.outline;
   EXPECT_GT(resemblance(scan, turned), 25.0);
   EXPECT_LT(resemblance(scan, scanWith(2)), 10.0);
 }

@@ -67,10 +67,12 @@ settingsForPeople(const MultiviewOptions& options)
   std::vector<std::pair<std::string, std::string>> settings = {
       {"all-pairs", std::to_string(options.multiview.all_pairs)},
       {"partners", std::to_string(options.multiview.partners)}};
-  for (const auto& [name, value] : settingsAsJSON(options.how).items())
-    if (!value.is_null())
-      settings.emplace_back(name, value.is_string() ? value.get<std::string>()
-                                                    : textOf(value, -1));
+  const nlohmann::ordered_json how = settingsAsJSON(options.how);
+  for (auto setting = how.begin(); setting != how.end(); ++setting)
+    if (!setting->is_null())
+      settings.emplace_back(setting.key(), setting->is_string()
+                                               ? setting->get<std::string>()
+                                               : textOf(*setting, -1));
   return settings;
 }
 
