@@ -486,7 +486,7 @@ TEST_F(MultiviewFiles, FolderHasAllFiles)
     found.insert(entry.path().filename().string());
   EXPECT_EQ((std::set<std::string>{"graph.json", "graph_1.g2o", "graph_2.g2o",
                                    "index.html", "merged_1.ply", "merged_2.ply",
-                                   "pairs.csv", "poses", "poses.json"}),
+                                   "pairs.csv", "poses", "poses.json", "times.json"}),
             found);
   EXPECT_EQ(Eigen::Matrix4d(model_.result.scans[4].transformation),
             readTransformation(folder + "/poses/body_5.txt"));

@@ -94,6 +94,7 @@ toJSON(const pcl::kss::PairResult& pair)
           {"poses", poses},
           {"confidence", pair.confidence},
           {"ambiguous", pair.ambiguous},
+          {"of_groups", pair.of_groups},
           {"failure", toJSON(pair.failure)}};
 }
 
