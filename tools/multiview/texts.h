@@ -30,7 +30,7 @@ graphText(const Model& model);
 std::string
 pairsText(const Model& model);
 
-/** \brief How long the stages took, as JSON: in a file of its own, as all others are the
+/** \brief How long the stages took, as JSON: apart from the others, which are the
  * same whenever they are made. */
 std::string
 timesText(const Model& model);
