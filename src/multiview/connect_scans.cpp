@@ -27,6 +27,9 @@ namespace {
  * say about their poses. */
 constexpr double enough_overlap = 0.2;
 
+/** Of each scan, so many of these at most: more of them say the same again. */
+constexpr std::size_t most_overlapping = 16;
+
 /** The error of a pair's pose as a share of the scan's radius, where nothing better is
  * known: degrees, not tens of them. */
 constexpr double usual_error = 0.02;
@@ -42,7 +45,7 @@ constexpr double unmodelled = 0.1;
 constexpr int most_rounds = 4, most_steps = 10;
 
 /** Poses are at rest when no scan moves by more than this share of the spacing. */
-constexpr double at_rest_share = 0.02;
+constexpr double at_rest_share = 0.05;
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
@@ -76,7 +79,10 @@ public:
       if (wanted.empty())
         break;
       registerPairs(wanted, ScanTask::Kind::REGISTER, "pairs of groups");
+      const std::size_t before = groups_.size();
       place();
+      if (groups_.size() == before)
+        break; // the rest promises less
     }
     connectGroups();
     if (settings_.refine)
@@ -337,16 +343,29 @@ private:
     return links;
   }
 
-  /** Pairs of a group that lie on each other. */
-  std::vector<ScanPair>
+  /** Pairs of a group that lie on each other: of each scan those that do so most. */
+  std::set<ScanPair>
   overlappingPairs(const PlacedGroup& group) const
   {
-    std::vector<ScanPair> pairs;
+    using Partner = std::pair<double, ScanPair>;
+    std::map<std::size_t, std::vector<Partner>> partners;
     for (const std::size_t a : group)
-      for (const std::size_t b : group)
-        if (a < b &&
-            expectedOverlap(scans_[a], scans_[b], relativePose(a, b)) >= enough_overlap)
-          pairs.emplace_back(a, b);
+      for (const std::size_t b : group) {
+        if (a >= b)
+          continue;
+        const double overlap =
+            expectedOverlap(scans_[a], scans_[b], relativePose(a, b));
+        if (overlap < enough_overlap)
+          continue;
+        partners[a].push_back({-overlap, {a, b}});
+        partners[b].push_back({-overlap, {a, b}});
+      }
+    std::set<ScanPair> pairs;
+    for (auto& [scan, of_scan] : partners) {
+      std::sort(of_scan.begin(), of_scan.end());
+      for (std::size_t p = 0; p < std::min(most_overlapping, of_scan.size()); ++p)
+        pairs.insert(of_scan[p].second);
+    }
     return pairs;
   }
 

@@ -20,7 +20,12 @@ namespace {
 
 /** How often a wrong pose agrees with a right one, by chance: wrong poses are not
  * random, as rooms and objects have planes and axes. */
-constexpr double chance = 0.02;
+constexpr double chance = 0.05;
+
+/** Pairs of what is built alike, such as the sides of a square, are wrong in the same
+ * way, all of them: they agree, but are unsure. Those less probable than the first say
+ * nothing to each other, those more probable than the second all that they have to. */
+constexpr double unsure = 0.3, sure = 0.6;
 
 /** A way by a third group goes by so many candidates to it, and from it. */
 constexpr std::size_t most_of_detours = 4;
@@ -123,7 +128,8 @@ private:
   static double
   gain(double agreeing)
   {
-    return std::log((agreeing + (1.0 - agreeing) * chance) / chance);
+    const double say = std::clamp((agreeing - unsure) / (sure - unsure), 0.0, 1.0);
+    return say * std::log((agreeing + (1.0 - agreeing) * chance) / chance);
   }
 
   /** The most probable alignment of two groups. Its odds are against all others, be it

@@ -6,46 +6,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <vector>
 
 namespace pcl {
 namespace kss {
 namespace {
 
-/** The squared distance of each point from the nearest of others.
- * \param[in] are_same whether a point is no neighbour of itself */
-Eigen::VectorXf
-squaredDistances(const Eigen::Matrix3Xf& from,
-                 const Eigen::Matrix3Xf& to,
-                 bool are_same)
-{
-  Eigen::VectorXf squared(from.cols());
-  for (Eigen::Index i = 0; i < from.cols(); ++i) {
-    Eigen::RowVectorXf all = (to.colwise() - from.col(i)).colwise().squaredNorm();
-    if (are_same)
-      all[i] = std::numeric_limits<float>::infinity();
-    squared[i] = all.minCoeff();
-  }
-  return squared;
-}
-
-/** Points in farthest order are about that far apart, squared. */
-float
-squaredGap(const Eigen::Matrix3Xf& outline)
-{
-  const Eigen::VectorXf squared = squaredDistances(outline, outline, true);
-  std::vector<float> sorted(squared.data(), squared.data() + squared.size());
-  std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
-  return sorted[sorted.size() / 2];
-}
-
-/** The share of points that others cover; no farther away than they are apart. */
+/** The share of points that have others no farther away than those are apart. */
 double
-covered(const Eigen::Matrix3Xf& points, const Eigen::Matrix3Xf& others)
+covered(const Eigen::Matrix3Xf& points, const Eigen::Matrix3Xf& others, double gap)
 {
-  const float gap = squaredGap(others);
-  return (squaredDistances(points, others, false).array() <= gap).cast<double>().mean();
+  const auto squared = static_cast<float>(gap * gap);
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    if ((others.colwise() - points.col(i)).colwise().squaredNorm().minCoeff() <=
+        squared)
+      ++count;
+  return static_cast<double>(count) / static_cast<double>(points.cols());
 }
 
 } // namespace
@@ -88,9 +64,12 @@ expectedOverlap(const ScanDescription& source,
   const Eigen::Matrix3d rotation = pose.topLeftCorner<3, 3>();
   const Eigen::Vector3d shift =
       (pose * source.centroid.homogeneous()).head<3>() - target.centroid;
+  if (shift.norm() > source.reach + target.reach)
+    return 0.0;
   const Eigen::Matrix3Xf placed =
       (rotation.cast<float>() * source.outline).colwise() + shift.cast<float>();
-  return std::max(covered(placed, target.outline), covered(target.outline, placed));
+  return std::max(covered(placed, target.outline, target.gap),
+                  covered(target.outline, placed, source.gap));
 }
 
 } // namespace kss

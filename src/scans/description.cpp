@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace pcl {
@@ -25,6 +26,21 @@ constexpr std::size_t outline_points = 400;
 
 /** The first ones of them show what its surface is like. */
 constexpr std::size_t described_points = 256;
+
+/** How far neighbouring points are apart: the median. */
+double
+gapOf(const Points& points)
+{
+  std::vector<float> squared;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    Eigen::RowVectorXf all = (points.colwise() - points.col(i)).colwise().squaredNorm();
+    all[i] = std::numeric_limits<float>::max();
+    squared.push_back(all.minCoeff());
+  }
+  const auto middle = squared.begin() + squared.size() / 2;
+  std::nth_element(squared.begin(), middle, squared.end());
+  return std::sqrt(*middle);
+}
 
 } // namespace
 
@@ -46,6 +62,8 @@ descriptionOf(const PreparedScan& scan)
   description.centroid = placed.rowwise().mean();
   description.outline.colwise() -=
       (description.centroid - prepared.origin).cast<float>();
+  description.gap = gapOf(description.outline);
+  description.reach = description.outline.colwise().norm().maxCoeff();
   const Eigen::Matrix3Xd centred = placed.colwise() - description.centroid;
   description.spread = centred * centred.transpose() / centred.cols();
 

@@ -37,15 +37,37 @@ TEST(Consensus, LeavesWhatIsImprobable)
   EXPECT_EQ(consensusOf(scans).groups, (Groups{{0}, {1}}));
 }
 
-TEST(Consensus, BelievesImprobablePairsThatAgree)
+TEST(Consensus, BelievesPairsThatAgree)
 {
   made_up::Scans scans(3);
   scans.add(0, 1, scans.relative(0, 1), 0.9);
-  scans.add(0, 2, scans.relative(0, 2), 0.3);
-  scans.add(1, 2, scans.relative(1, 2), 0.3);
+  scans.add(0, 2, scans.relative(0, 2), 0.45);
+  scans.add(1, 2, scans.relative(1, 2), 0.45);
   const Consensus consensus = consensusOf(scans);
   EXPECT_EQ(consensus.groups, (Groups{{0, 1, 2}}));
   EXPECT_LT(scans.error(0, 2, consensus.poses), 1e-9);
+}
+
+TEST(Consensus, DoesNotBelieveImprobablePairsBecauseThereAreManyOfThem)
+{
+  // two sides of a square, each of them sure of itself
+  made_up::Scans scans(10);
+  const Eigen::Matrix4d wrong = scans.randomPose(5.0);
+  for (std::size_t i = 0; i < 5; ++i)
+    for (std::size_t j = 0; j < 5; ++j) {
+      scans.add(i, 5 + j, inverted(scans.poses[5 + j]) * wrong * scans.poses[i], 0.3);
+      if (i < j) {
+        scans.add(i, j, scans.relative(i, j), 0.9);
+        scans.add(5 + i, 5 + j, scans.relative(5 + i, 5 + j), 0.9);
+      }
+    }
+  EXPECT_EQ(consensusOf(scans).groups, (Groups{{0, 1, 2, 3, 4}, {5, 6, 7, 8, 9}}));
+  // the corner: two pairs that are sure, against twenty-five that are not
+  scans.add(4, 5, scans.relative(4, 5), 0.8);
+  scans.add(3, 5, scans.relative(3, 5), 0.7);
+  const Consensus consensus = consensusOf(scans);
+  ASSERT_EQ(consensus.groups.size(), 1);
+  EXPECT_LT(scans.error(0, 9, consensus.poses), 1e-6);
 }
 
 TEST(Consensus, DoesNotBelieveImprobablePairsThatDisagree)

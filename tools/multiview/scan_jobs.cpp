@@ -56,10 +56,16 @@ failureFrom(const json& value)
 json
 toJSON(const pcl::kss::ScanDescription& scan)
 {
-  return {{"centroid", toJSON(scan.centroid)}, {"spread", toJSON(scan.spread)},
-          {"outline", toJSON(scan.outline)},   {"spacing", scan.spacing},
-          {"rows", scan.features.rows()},      {"octave", scan.octave},
-          {"features", toJSON(scan.features)}, {"far", scan.far_points}};
+  return {{"centroid", toJSON(scan.centroid)},
+          {"spread", toJSON(scan.spread)},
+          {"outline", toJSON(scan.outline)},
+          {"spacing", scan.spacing},
+          {"rows", scan.features.rows()},
+          {"octave", scan.octave},
+          {"features", toJSON(scan.features)},
+          {"gap", scan.gap},
+          {"reach", scan.reach},
+          {"far", scan.far_points}};
 }
 
 pcl::kss::ScanDescription
@@ -74,6 +80,8 @@ descriptionFrom(const json& value)
   const Eigen::Index rows = value.at("rows");
   scan.features.resize(rows, rows ? value.at("features").size() / rows : 0);
   fromJSON(value.at("features"), scan.features);
+  scan.gap = value.at("gap");
+  scan.reach = value.at("reach");
   scan.octave = value.at("octave");
   scan.far_points = value.at("far");
   return scan;

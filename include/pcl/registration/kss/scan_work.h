@@ -53,6 +53,9 @@ struct ScanDescription {
   /** \brief Points of it, a few hundred, that cover it evenly, relative to the centroid.
    */
   Eigen::Matrix3Xf outline;
+  /** \brief How far neighbouring points of the outline are apart, and how far the
+   * farthest one is from the centroid. */
+  double gap = 0.0, reach = 0.0;
   /** \brief The usual spacing of its points, as those are that judge. */
   double spacing = 0.0;
   /** \brief What its surface is like around the first points of the outline, however it
