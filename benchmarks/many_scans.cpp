@@ -7,8 +7,6 @@
 
 #include "virtual_sets.h"
 
-#include <io/fields.h>
-
 #include "multiview/pair_choice.h"
 #include "multiview/placement_of_scans.h"
 
@@ -76,6 +74,9 @@ forEachPair(benchmark::State& state, const Function& function)
         benchmark::DoNotOptimize(function(a, b));
   state.SetItemsProcessed(
       static_cast<std::int64_t>(state.iterations() * scans * (scans - 1) / 2));
+  const ScanDescription& one = street().descriptions.front();
+  state.counters["bytes_of_description"] =
+      static_cast<double>(sizeof(float) * (one.features.size() + one.outline.size()));
 }
 
 void

@@ -80,11 +80,13 @@ class Batch:
 
     def done(self, out: str) -> int:
         """How many pairs the journal has."""
-        journal = self.folder / out / "journal.jsonl"
-        if not journal.exists():
+        if not (self.folder / out / "journal.jsonl").exists():
             return 0
-        lines = journal.read_bytes().split(b"\n")[:-1]
+        lines = self.journal(out).split(b"\n")[:-1]
         return sum(b'"status"' in line for line in lines)
+
+    def journal(self, out: str) -> bytes:
+        return (self.folder / out / "journal.jsonl").read_bytes()
 
     def results(self, out: str) -> list:
         return [(self.folder / out / name).read_bytes()
@@ -111,9 +113,12 @@ def check_kill(batch: Batch, pairs: int, check: Checks):
     check(status == -signal.SIGKILL and pairs // 2 <= done < pairs,
           f"SIGKILL ends it when {done} of {pairs} pairs are done")
     check(not (batch.folder / "killed/results.csv").exists(), "no results are there then")
+    before = batch.journal("killed")
+    before = before[:before.rindex(b"\n") + 1]
     start = time.monotonic()
     check(batch.start("killed").wait() == 1,
           f"the same command does the others in {time.monotonic() - start:.1f} s")
+    check(batch.journal("killed").startswith(before), "and none of those that were done")
     times = list(csv.DictReader(open(batch.folder / "killed/times.csv", newline="")))
     check(len(times) == pairs, "each pair has its line")
 

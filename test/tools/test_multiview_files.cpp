@@ -496,6 +496,16 @@ TEST_F(MultiviewFiles, FolderHasAllFiles)
   EXPECT_EQ(canDrawGroups() ? 6u : 0u, timesIn(page, "data:image/png;base64,iVBOR"));
 }
 
+TEST_F(MultiviewFiles, TimesAreThoseOfTheStages)
+{
+  const json times = json::parse(timesText(model_));
+  ASSERT_EQ(3u, times["stages"].size());
+  EXPECT_EQ("pairs", times["stages"][1]["stage"]);
+  EXPECT_EQ(40.0, times["stages"][1]["seconds"]);
+  EXPECT_EQ((json{{"scans", 12}, {"quick pairs", 30}}), times["tasks"]);
+  EXPECT_EQ(42.5, times["seconds"]);
+}
+
 TEST_F(MultiviewFiles, GroupsAreDrawnWhateverIsFarOut)
 {
   if (!canDrawGroups())
