@@ -96,8 +96,20 @@ overlaps(benchmark::State& state)
   });
 }
 
+/** \brief Of scans far apart, which most of many are. */
+void
+distantOverlaps(benchmark::State& state)
+{
+  Eigen::Matrix4d away = Eigen::Matrix4d::Identity();
+  away(0, 3) = 1e4;
+  forEachPair(state, [&away](std::size_t a, std::size_t b) {
+    return expectedOverlap(street().descriptions[a], street().descriptions[b], away);
+  });
+}
+
 BENCHMARK(resemblances)->Name("Resemblances")->Unit(benchmark::kMillisecond);
 BENCHMARK(overlaps)->Name("ExpectedOverlaps")->Unit(benchmark::kMillisecond);
+BENCHMARK(distantOverlaps)->Name("DistantOverlaps")->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace benchmarks

@@ -30,6 +30,7 @@ KINDS = {  # of work: the stages that do it
 # As src/multiview and src/scans have them.
 ALL_PAIRS = 25
 BYTES_OF_RESEMBLANCE = 4
+EACH_TWO = {"Resemblances": 1, "DistantOverlaps": 10}  # how often; refinement has ten steps
 # Of the texts that the journal has of a scan and of a pair, and that stay in memory.
 JOURNAL_OF_SCAN, JOURNAL_OF_PAIR = 330e3, 1.4e3
 
@@ -81,7 +82,9 @@ def preparation(runs: list):
     if len(runs) < 2 or np.ptp(points) < 0.1 * points.mean():
         return float(seconds.mean()), 0.0
     slope, base = np.polyfit(points, seconds, 1)
-    return float(base), float(slope)
+    # other things differ, too: no fit is better than one that cannot be
+    return (float(base), float(slope)) if slope > 0.0 and base > 0.0 else (
+        float(seconds.mean()), 0.0)
 
 
 def each_two(benchmark: pathlib.Path, runs: list) -> dict:
@@ -92,7 +95,8 @@ def each_two(benchmark: pathlib.Path, runs: list) -> dict:
         return {"Resemblances": sum(run.seconds["resemblances"] for run in asked) / two
                 if two else float("nan")}
     measured = json.loads(benchmark.read_text())["benchmarks"]
-    return {entry["name"]: 1.0 / entry["items_per_second"] for entry in measured}
+    return {entry["name"]: 1.0 / entry["items_per_second"] for entry in measured
+            if entry["name"] in EACH_TWO}
 
 
 def predicted(scans: int, arguments, runs: list, cost: dict) -> dict:
@@ -107,7 +111,7 @@ def predicted(scans: int, arguments, runs: list, cost: dict) -> dict:
     work["scans"] = scans * (base + slope * points)
     two = scans * (scans - 1) / 2
     return {"shared": work, "shared seconds": sum(work.values()) / arguments.cores,
-            "alone": {name: two * seconds for name, seconds in cost.items()},
+            "alone": {name: two * EACH_TWO[name] * seconds for name, seconds in cost.items()},
             "matrix": BYTES_OF_RESEMBLANCE * scans ** 2,
             "journal": scans * (JOURNAL_OF_SCAN
                                 + JOURNAL_OF_PAIR * sum(per_scan[kind] for kind in KINDS
@@ -141,22 +145,21 @@ def main():
     cost = each_two(arguments.benchmark, runs)
 
     print("Milliseconds for a piece of work (and how many there were):\n")
-    print_table(["set", "scans", "points of each", *list(KINDS)[1:], "each scan",
-                 "grouping, s in all"],
-                [[run.name, str(run.scans), f"{run.points:.0f}",
-                  *(milliseconds(*run.of(kind)) for kind in list(KINDS)[1:]),
-                  milliseconds(*run.of("scans")), f"{run.rest:.2f}"] for run in runs])
+    print_table(["set", "points of each scan", *KINDS, "the rest, s in all"],
+                [[run.name, f"{run.points:.0f}",
+                  *(milliseconds(*run.of(kind)) for kind in KINDS),
+                  f"{run.rest:.2f}"] for run in runs])
     base, slope = preparation(runs)
     print(f"A scan takes {1e3 * base:.1f} ms and {1e6 * slope:.2f} microseconds for each of "
           "its points; "
           + ", ".join(f"one of the {kind} {1e3 * pooled(runs, kind):.1f} ms"
                       for kind in list(KINDS)[1:] if pooled(runs, kind) > 0.0) + ".")
     print("Each two of all scans take " + ", ".join(
-        f"{1e6 * seconds:.0f} microseconds ({name})" for name, seconds in cost.items()) + ".\n")
+        f"{1e6 * seconds:.3g} microseconds ({name})" for name, seconds in cost.items()) + ".\n")
 
     guesses = [predicted(scans, arguments, runs, cost) for scans in arguments.scans]
     rows = [[kind] + [time_text(guess["shared"][kind]) for guess in guesses] for kind in KINDS]
-    rows.append([f"all these, by {arguments.cores} cores"]
+    rows.append(["all these" if arguments.cores == 1 else f"all these, by {arguments.cores} cores"]
                 + [time_text(guess["shared seconds"]) for guess in guesses])
     rows += [[f"{name}, by one process"] + [time_text(guess["alone"][name]) for guess in guesses]
              for name in cost]
