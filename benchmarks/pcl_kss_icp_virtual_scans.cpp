@@ -27,11 +27,13 @@ constexpr const char* usage =
     "  hotel      the same, and each room fits on each other by its walls\n"
     "  loop       streets around a block of houses, by a lidar of 32 rings\n"
     "  street     a street and back on the other lane, by the same lidar\n"
-    "  bag        five objects and two rooms, four to six scans of each, shuffled\n"
+    "  bag        five objects and two rooms of different plans, four to six scans of\n"
+    "             each, shuffled\n"
     "  moved      the scans of truth files, moved: of {\"scans\": [{\"file\", "
     "\"thing\",\n"
     "             \"transformation\"}, ...]}; files of any format, beside the truth "
-    "file\n\n";
+    "file;\n"
+    "             scans without transformation are in the frame of their thing\n\n";
 
 benchmarks::Turn
 turnOf(const std::string& word)

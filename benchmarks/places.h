@@ -55,14 +55,21 @@ buildingWalls(Rooms rooms, int axis)
 Place
 building(unsigned int seed, Rooms rooms);
 
-/** \brief A furnished room with a corner at the origin, of roomSize(). */
-Place
-room(unsigned int seed);
+/** \brief The shell of a room. */
+struct RoomPlan {
+  Eigen::Vector3d size{5.2, 4.1, 2.6};
+  bool has_chimney = false; ///< beside the bookcase; it takes 4.3 m of depth
+};
 
-inline Eigen::Vector3d
-roomSize()
+/** \brief A plan that nobody takes for the usual one. */
+inline RoomPlan
+largeRoom()
 {
-  return {5.2, 4.1, 2.6};
+  return {{6.9, 5.3, 3.1}, true};
 }
+
+/** \brief A furnished room with a corner at the origin. */
+Place
+room(unsigned int seed, const RoomPlan& plan = {});
 
 } // namespace benchmarks

@@ -3,7 +3,7 @@
  */
 
 // A room: walls with a window and a door, a table with chairs, a sofa, a bookcase, a
-// cupboard, a lamp and things that lie about.
+// cupboard, a lamp and things that lie about; a chimney breast where the plan has one.
 
 #include "place_builder.h"
 
@@ -17,16 +17,20 @@ using Eigen::Vector3d;
 
 class Builder : public PlaceBuilder {
 public:
-  explicit Builder(unsigned int seed)
+  Builder(unsigned int seed, const RoomPlan& plan)
   : PlaceBuilder(seed)
+  , size_(plan.size)
+  , beyond_(plan.size - RoomPlan().size)
   {
     addWalls();
+    if (plan.has_chimney)
+      addBlock({0.0, 3.1, 0.0}, {0.55, 4.3, size_.z()});
     addBookcase();
     addSofa();
     addTable();
     addCupboard();
-    addPlant({roomSize().x() - 0.4, roomSize().y() - 0.45, 0.0});
-    addLamp({0.35, roomSize().y() - 0.4, 0.0});
+    addPlant({size_.x() - 0.4, size_.y() - 0.45, 0.0});
+    addLamp({0.35, size_.y() - 0.4, 0.0});
     for (int i = 0; i < 4; ++i) // on the floor
       place_.addBox({uniform(1.0, 4.4), uniform(0.8, 3.3), 0.12},
                     {uniform(0.2, 0.45), uniform(0.15, 0.4), 0.24}, uniform(0.0, M_PI));
@@ -44,14 +48,15 @@ private:
   void
   addWalls()
   {
-    const Vector3d size = roomSize();
+    const Vector3d& size = size_;
     addBlock({-1.0, -1.0, -1.0}, {size.x() + 1.0, size.y() + 1.0, 0.0});
     addBlock({-1.0, -1.0, size.z()}, {size.x() + 1.0, size.y() + 1.0, size.z() + 1.0});
     addBlock({-1.0, -1.0, 0.0}, {0.0, size.y() + 1.0, size.z()});
     addBlock({size.x(), -1.0, 0.0}, {size.x() + 1.0, size.y() + 1.0, size.z()});
     addBlock({0.0, -1.0, 0.0}, {size.x(), 0.0, size.z()});
 
-    const double left = uniform(1.2, 1.8), right = left + uniform(1.3, 1.9);
+    const double left = beyond_.x() + uniform(1.2, 1.8),
+                 right = left + uniform(1.3, 1.9);
     const double sill = 0.95, top = 2.2, y = size.y(), back = y + 1.0;
     addBlock({0.0, y, 0.0}, {left, back, size.z()});
     addBlock({right, y, 0.0}, {size.x(), back, size.z()});
@@ -59,7 +64,7 @@ private:
     addBlock({left, y, top}, {right, back, size.z()});
     addBlock({left, y + 0.3, sill}, {right, back, top});
     addBlock({left - 0.1, y - 0.12, 0.15}, {right + 0.1, y, 0.75}); // radiator
-    const double door = uniform(2.2, 3.0);
+    const double door = beyond_.y() + uniform(2.2, 3.0);
     addBlock({size.x() - 0.05, door, 0.0}, {size.x(), door + 0.9, 2.05});
   }
 
@@ -89,8 +94,8 @@ private:
   void
   addSofa()
   {
-    const double begin = uniform(1.0, 1.4), end = begin + 2.0;
-    const double back = roomSize().y() - 0.25, front = back - 0.85;
+    const double begin = beyond_.x() + uniform(1.0, 1.4), end = begin + 2.0;
+    const double back = size_.y() - 0.25, front = back - 0.85;
     addBlock({begin, front, 0.08}, {end, back, 0.42});
     addBlock({begin, back - 0.22, 0.08}, {end, back, 0.85});
     addBlock({begin - 0.16, front, 0.0}, {begin, back, 0.62});
@@ -103,7 +108,8 @@ private:
   void
   addTable()
   {
-    const Vector3d middle(uniform(2.2, 2.7), uniform(1.5, 1.9), 0.0);
+    Vector3d middle(uniform(2.2, 2.7), uniform(1.5, 1.9), 0.0);
+    middle.head<2>() += beyond_.head<2>() / 2.0;
     const double yaw = uniform(-0.3, 0.3);
     addFurniture(middle, yaw, {1.4, 0.8, 0.74}, 0.05);
     for (const double side : {-1.0, 1.0}) {
@@ -151,7 +157,7 @@ private:
   void
   addCupboard()
   {
-    const double begin = uniform(0.5, 0.8), end = begin + 1.3, x = roomSize().x();
+    const double begin = uniform(0.5, 0.8), end = begin + 1.3, x = size_.x();
     addBlock({x - 0.45, begin, 0.0}, {x, end, 0.55});
     addBlock({x - 0.27, begin + 0.2, 0.62}, {x - 0.22, end - 0.2, 1.12});
     addBlock({x - 0.35, begin + 0.5, 0.55}, {x - 0.15, end - 0.5, 0.62});
@@ -175,14 +181,17 @@ private:
     place_.addCylinder(foot, 0.015, 1.5);
     place_.addCylinder(foot + Vector3d(0.0, 0.0, 1.45), 0.2, 0.28);
   }
+
+  Vector3d size_;
+  Vector3d beyond_; ///< how much larger than the usual one
 };
 
 } // namespace
 
 Place
-room(unsigned int seed)
+room(unsigned int seed, const RoomPlan& plan)
 {
-  return Builder(seed).place();
+  return Builder(seed, plan).place();
 }
 
 } // namespace benchmarks

@@ -198,7 +198,9 @@ readScans(const std::string& truth)
       const std::string name = entry.at("file");
       scans.push_back({tool::readGeometry((folder / name).string()), entry.at("thing"),
                        entry.value("name", name),
-                       rigid(matrixOf(entry.at("transformation")))});
+                       entry.contains("transformation") // it is in the thing's frame
+                           ? rigid(matrixOf(entry["transformation"]))
+                           : Eigen::Isometry3d::Identity()});
     }
   }
   catch (const nlohmann::json::exception& error) {

@@ -85,8 +85,9 @@ bagScans(const std::vector<std::string>& models, unsigned int seed)
   for (std::size_t i = 0; i < std::max<std::size_t>(5, models.size()); ++i)
     append(all, objectScans(i < models.size() ? models[i] : "", views(random),
                             seed + 100 * static_cast<unsigned int>(i)));
-  for (unsigned int i = 0; i < 2; ++i)
-    append(all, roomScans(views(random), seed + 100 * i));
+  // of one plan with other furniture, scans of walls alone would fit both
+  append(all, roomScans(views(random), seed));
+  append(all, roomScans(views(random), seed + 100, largeRoom()));
   return all;
 }
 

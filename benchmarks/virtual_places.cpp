@@ -158,16 +158,19 @@ buildingScans(Rooms rooms, std::size_t scans, unsigned int seed)
 }
 
 VirtualScans
-roomScans(std::size_t scans, unsigned int seed)
+roomScans(std::size_t scans, unsigned int seed, const RoomPlan& plan)
 {
-  const Place place = room(seed);
+  const Place place = room(seed, plan);
+  // farther from the walls of a larger room
+  const Eigen::Vector3d inwards = (plan.size - RoomPlan().size) / 2.0;
   VirtualScans all;
   for (std::size_t i = 0; i < scans; ++i) {
     // from the right wall on, turning to the back
     const double step = 0.5 * i;
     const Eigen::Isometry3d camera =
-        lookAt({4.6 + 0.1 * step, 0.5 + 0.8 * step, 1.5 - 0.05 * step},
-               {1.6 + 0.4 * step, 2.4 + 0.6 * step, 0.8});
+        lookAt(inwards + Eigen::Vector3d(4.6 + 0.1 * step, 0.5 + 0.8 * step,
+                                         1.5 - 0.05 * step),
+               inwards + Eigen::Vector3d(1.6 + 0.4 * step, 2.4 + 0.6 * step, 0.8));
     all.push_back(virtualScan(
         *photograph(place, camera, 1000 * seed + static_cast<unsigned int>(i), 2),
         "room " + std::to_string(seed), i, camera));

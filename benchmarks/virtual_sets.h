@@ -43,9 +43,9 @@ buildingScans(Rooms rooms, std::size_t scans, unsigned int seed);
 
 /** \brief A room by a depth camera that moves on and turns. */
 VirtualScans
-roomScans(std::size_t scans, unsigned int seed);
+roomScans(std::size_t scans, unsigned int seed, const RoomPlan& plan = {});
 
-/** \brief Five objects and two rooms, four to six scans of each.
+/** \brief Five objects and two rooms of different plans, four to six scans of each.
  * \param[in] models mesh files; none: objects made up
  */
 VirtualScans

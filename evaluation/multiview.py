@@ -9,11 +9,13 @@ judge takes what pcl_kss_icp_multiview wrote (graph.json beside poses.json, too,
 there) and says whether scans of one thing are in one group and no others, and how far the
 poses are off. A group has a frame of its own: it is laid on the truth by the rigid motion
 that makes the sum of the scans' misplacements least, so that a few lost scans do not move
-the others. The exit status is 1 where a scan is in a wrong place or a wrong group, or a
+the others. Laid on the truth by its first scan alone, too, it shows how far errors have
+added up at its far end. The truth of a scan without "transformation" is the scan as it is:
+those of its thing are in a common frame. The exit status is 1 where a scan is in a wrong place or a wrong group, or a
 wrong pair is kept.
 
 prepare writes scans of SET in random order and random frames to DIR, with truth.json.
-FOLDER holds pairs/bunny, scans/pairs.json and objects/. pcl_kss_icp_virtual_scans does
+FOLDER holds pairs/bunny, pairs/pcl_capture, scans/pairs.json and objects/. pcl_kss_icp_virtual_scans does
 the work; --program says where it is.
 """
 import argparse
@@ -44,10 +46,10 @@ class Scan:
 
     def __init__(self, truth: dict, found: dict):
         self.file, self.thing, self.name = truth["file"], truth["thing"], truth["name"]
-        self.true = np.array(truth["transformation"], float)
+        self.true = np.array(truth.get("transformation", np.eye(4)), float)
         self.centroid, self.radius = np.array(truth["centroid"], float), truth["radius"]
         self.group = found["group"]
-        self.found = np.array(found["transformation"], float)
+        self.found = None if self.group is None else np.array(found["transformation"], float)
 
     def landmarks(self) -> np.ndarray:
         """Six points that stand for the scan, in its own frame."""
@@ -103,13 +105,18 @@ def judge(poses: pathlib.Path, truth: pathlib.Path) -> dict:
     scans = read_scans(poses, truth)
     groups = collections.defaultdict(list)
     for scan in scans:
-        groups[scan.group].append(scan)
+        scan.right = False
+        if scan.group is not None:
+            groups[scan.group].append(scan)
     home = {}  # of each thing: the group that most of its scans are in
     for thing in {scan.thing for scan in scans}:
-        counts = collections.Counter(scan.group for scan in scans if scan.thing == thing)
-        home[thing] = max(counts, key=lambda group: (counts[group], -group))
+        counts = collections.Counter(scan.group for scan in scans
+                                     if scan.thing == thing and scan.group is not None)
+        home[thing] = max(counts, key=lambda group: (counts[group], -group), default=None)
 
-    report = {"scans": len(scans), "things": len(home), "groups": [], "lost": []}
+    report = {"scans": len(scans), "things": len(home), "groups": [], "lost": [
+        {"file": scan.file, "name": scan.name, "why": "it could not be used"}
+        for scan in scans if scan.group is None]}
     for number, members in sorted(groups.items()):
         counts = collections.Counter(scan.thing for scan in members)
         thing = counts.most_common(1)[0][0]
@@ -136,7 +143,7 @@ def judge(poses: pathlib.Path, truth: pathlib.Path) -> dict:
 
 
 def read_scans(poses: pathlib.Path, truth: pathlib.Path) -> list:
-    """In the order of the poses, which pairs count by."""
+    """In the order of the poses."""
     known = {entry["file"]: entry for entry in json.loads(truth.read_text())["scans"]}
     scans = []
     for entry in json.loads(poses.read_text())["scans"]:
@@ -162,21 +169,21 @@ def summary(errors: list) -> dict:
 
 
 def drift(scans: list):
-    """Laid on the truth by the first scan alone: the errors of the scan farthest from it."""
-    if not all(scan.name.isdigit() for scan in scans) or len(scans) < 3:
+    """Laid on the truth by the first scan alone: how far the scan is off that is off most."""
+    if len(scans) < 3:
         return None
-    first = min(scans, key=lambda scan: int(scan.name))
-    place = moved(first.true, first.centroid)
-    last = max(scans, key=lambda scan: np.linalg.norm(moved(scan.true, scan.centroid) - place))
+    first = scans[0]
+    if all(scan.name.isdigit() for scan in scans):  # numbers of the views
+        first = min(scans, key=lambda scan: int(scan.name))
     align = first.true @ np.linalg.inv(first.found)
-    rotation, translation = last.errors(align @ last.found, last.true)
-    away = float(np.linalg.norm(moved(last.true, last.centroid) - place))
-    return {"name": last.name, "away": away, "rotation_deg": rotation,
-            "translation": translation}
+    errors = [scan.errors(align @ scan.found, scan.true) for scan in scans]
+    far = max(range(len(scans)), key=lambda i: errors[i][1])
+    return {"first": first.name, "name": scans[far].name,
+            "rotation_deg": max(error[0] for error in errors), "translation": errors[far][1]}
 
 
 def judge_pairs(scans: list, pairs: list) -> dict:
-    numbers = {scan.file: i for i, scan in enumerate(scans)}
+    known = {scan.file: scan for scan in scans}
     verdicts = collections.Counter()
     wrong = []
     rejected_right = 0
@@ -185,9 +192,8 @@ def judge_pairs(scans: list, pairs: list) -> dict:
         verdicts[verdict] += 1
         if pair.get("transformation") is None:
             continue
-        ends = [numbers[pathlib.PurePath(end).name] if isinstance(end, str) else end
-                for end in (pair["source"], pair["target"])]
-        source, target = (scans[end] for end in ends)
+        source, target = (known[pathlib.PurePath(pair[end]).name]
+                          for end in ("source_file", "target_file"))
         pose = np.array(pair["transformation"], float)
         errors = source.errors(pose, np.linalg.inv(target.true) @ source.true)
         right = source.thing == target.thing and source.tolerates(errors)
@@ -196,7 +202,10 @@ def judge_pairs(scans: list, pairs: list) -> dict:
                           "things": sorted({source.thing, target.thing}),
                           "rotation_deg": errors[0], "translation": errors[1]})
         rejected_right += verdict == "rejected" and right
-    return {"verdicts": dict(verdicts), "kept_wrong": wrong, "rejected_right": rejected_right}
+    kept = verdicts["kept"]
+    return {"verdicts": dict(verdicts), "kept_wrong": wrong,
+            "kept_right_share": (kept - len(wrong)) / kept if kept else None,
+            "rejected_right": rejected_right}
 
 
 def print_report(report: dict):
@@ -216,8 +225,9 @@ def print_report(report: dict):
               f"{translation['median']:.4g} largest {translation['largest']:.4g} m")
         if group["drift"]:
             far = group["drift"]
-            print(f"  from the first scan to the farthest ({far['name']}, {far['away']:.3g} m): "
-                  f"off by {far['rotation_deg']:.3f} deg, {far['translation']:.4g} m")
+            print(f"  laid on the truth by scan {far['first']} alone: largest rotation "
+                  f"{far['rotation_deg']:.3f} deg, far end ({far['name']}) off by "
+                  f"{far['translation']:.4g} m")
     for scan in report["lost"]:
         print(f"lost: {scan['file']} ({scan['name']}): {scan['why']}")
     if "pairs" in report:
@@ -225,6 +235,8 @@ def print_report(report: dict):
         verdicts = ", ".join(f"{n} {name}" for name, n in sorted(pairs["verdicts"].items()))
         print(f"pairs: {verdicts}; {len(pairs['kept_wrong'])} kept that are wrong, "
               f"{pairs['rejected_right']} rejected that are right")
+        if pairs["kept_right_share"] is not None:
+            print(f"of the pairs that are kept, {pairs['kept_right_share']:.2%} are right")
         for pair in pairs["kept_wrong"]:
             print(f"  wrong: {pair['source']} on {pair['target']} ({', '.join(pair['things'])}):"
                   f" {pair['rotation_deg']:.2f} deg, {pair['translation']:.4g} m")
@@ -235,6 +247,16 @@ def print_report(report: dict):
 def bunny(data: pathlib.Path) -> list:
     return [entry(cloud, "bunny", np.loadtxt(cloud.with_suffix(".T_world.txt")))
             for cloud in sorted((data / "pairs/bunny").glob("*.pcd"))]
+
+
+def capture(data: pathlib.Path) -> list:
+    """A room by a depth camera that moves on; each frame has a pose to the one before."""
+    folder = data / "pairs/pcl_capture"
+    scans, pose = [entry(folder / "capture1.pcd", "capture", np.eye(4))], np.eye(4)
+    for i in range(2, 6):
+        pose = pose @ np.loadtxt(folder / f"{i}to{i - 1}_T_icp.txt")
+        scans.append(entry(folder / f"capture{i}.pcd", "capture", pose))
+    return scans
 
 
 def chained(data: pathlib.Path, kind: str) -> list:
@@ -281,9 +303,8 @@ def prepare(arguments):
                     "--scans", draw.randint(4, 6), "--turn", "none",
                     "--seed", arguments.seed, "--out", views)
                 truths.append(views / "truth.json")
-            # later frames show the same room, but nothing tells where
-            scans = chained(data, "room") + [scan for scan in chained(data, "frames")
-                                             if scan["thing"] == "frames frame000"]
+            # the frames show the kitchen, too, and nothing tells where in it
+            scans = chained(data, "room") + capture(data)
         else:
             scans = chained(data, SETS[arguments.set])
             if arguments.set == "frames":

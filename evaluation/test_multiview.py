@@ -67,9 +67,15 @@ class Judged(unittest.TestCase):
         self.found[scan]["transformation"] = (
             found @ to_centroid @ motion @ np.linalg.inv(to_centroid)).tolist()
 
+    def ends(self, source: int, target: int) -> dict:
+        """As graph.json has them, where scans count from 1."""
+        return {"source": source + 1, "target": target + 1,
+                "source_file": self.found[source]["file"],
+                "target_file": self.found[target]["file"]}
+
     def pair(self, source: int, target: int, verdict: str, motion=np.eye(4)) -> dict:
         true = [np.array(self.truth[i]["transformation"]) for i in (source, target)]
-        return {"source": source, "target": target, "verdict": verdict,
+        return {**self.ends(source, target), "verdict": verdict,
                 "transformation": (np.linalg.inv(true[1]) @ true[0] @ motion).tolist()}
 
     def test_all_right(self):
@@ -114,19 +120,47 @@ class Judged(unittest.TestCase):
             self.truth[i]["centroid"] = [0.0, 0.0, 0.0]
             self.truth[i]["transformation"] = pose(0.0, 0, [float(i), 0.0, 0.0]).tolist()
             self.found[i]["transformation"] = pose(0.0, 0, [1.01 * i, 5.0, 0.0]).tolist()
-        far = self.judge()["groups"][0]["drift"]
+        group = self.judge()["groups"][0]
+        self.assertEqual((group["drift"]["first"], group["drift"]["name"]), ("0", "7"))
+        self.assertAlmostEqual(group["drift"]["translation"], 0.07)
+        self.assertLess(group["translation"]["largest"], 0.05)  # laid on by all of them
+
+    def test_the_far_end_of_a_loop_need_not_be_the_farthest_scan(self):
+        for i in range(8):
+            around = pose(45.0 * i, 2, [0.0, 0.0, 0.0])
+            self.truth[i]["centroid"] = [1.0, 0.0, 0.0]
+            self.truth[i]["transformation"] = around.tolist()
+            self.found[i]["transformation"] = (around @ pose(0.1 * i, 2, [0.0] * 3)).tolist()
+        far = self.judge()["groups"][0]["drift"]  # the last one, beside the first
         self.assertEqual(far["name"], "7")
-        self.assertAlmostEqual(far["translation"], 0.07)
+        self.assertAlmostEqual(far["rotation_deg"], 0.7)
+
+    def test_scans_in_a_common_frame_need_no_transformation(self):
+        for i in range(8, 12):
+            room = self.found[8]["transformation"]
+            self.found[i]["transformation"] = room
+            del self.truth[i]["transformation"]
+        self.assertEqual(self.judge()["right"], 12)
+        self.found[9]["transformation"] = (pose(90.0, 0, [0.0] * 3) @ room).tolist()
+        self.assertEqual(self.judge()["right"], 11)
+
+    def test_a_scan_that_could_not_be_used(self):
+        self.found[5].update(group=None, transformation=None)
+        report = self.judge([self.pair(5, 6, "failed")])
+        self.assertEqual(report["right"], 11)
+        self.assertEqual([scan["why"] for scan in report["lost"]], ["it could not be used"])
 
     def test_kept_pairs(self):
         off = pose(90.0, 2, [0.0, 0.0, 0.0])
         pairs = self.judge([self.pair(0, 1, "kept"), self.pair(1, 2, "kept", off),
                             self.pair(0, 9, "kept"), self.pair(2, 3, "rejected"),
                             self.pair(3, 4, "rejected", off),
-                            {"source": 4, "target": 5, "verdict": "failed"}])["pairs"]
+                            {**self.ends(4, 5), "verdict": "failed",
+                             "transformation": None}])["pairs"]
         self.assertEqual([(pair["source"], pair["target"]) for pair in pairs["kept_wrong"]],
                          [("scan_001.pcd", "scan_002.pcd"), ("scan_000.pcd", "scan_009.pcd")])
         self.assertEqual(pairs["rejected_right"], 1)
+        self.assertAlmostEqual(pairs["kept_right_share"], 1.0 / 3.0)
         self.assertEqual(pairs["verdicts"], {"kept": 3, "rejected": 2, "failed": 1})
 
 
@@ -193,6 +227,28 @@ class Scans(unittest.TestCase):
         counts = {thing: things.count(thing) for thing in things}
         self.assertEqual(len(counts), 7)
         self.assertTrue(all(4 <= count <= 6 for count in counts.values()), counts)
+
+    def test_the_rooms_of_a_bag_differ_in_size(self):
+        write("bag", "--out", self.folder)
+        ends = {}
+        for (thing, _), points in placed(self.folder).items():
+            if thing.startswith("room"):
+                ends[thing] = np.maximum(ends.get(thing, 0.0), points.max(0))
+        one, other = ends.values()
+        self.assertTrue(np.all(np.abs(one - other) > 0.4), ends)
+
+    def test_moved_scans_without_transformation_are_in_the_frame_of_their_thing(self):
+        before, after = self.folder / "before", self.folder / "after"
+        write("loop", "--scans", 2, "--turn", "none", "--out", before)
+        truth = json.loads((before / "truth.json").read_text())
+        for scan in truth["scans"]:
+            del scan["transformation"]
+        (before / "truth.json").write_text(json.dumps(truth))
+        write("moved", before / "truth.json", "--out", after)
+        new = placed(after)
+        for scan in truth["scans"]:
+            self.assertTrue(np.allclose(new[scan["thing"], scan["name"]],
+                                        read_pcd(before / scan["file"]), atol=1e-3))
 
     def test_unknown_things_are_named(self):
         done = subprocess.run([PROGRAM, "castle", "--out", str(self.folder)],

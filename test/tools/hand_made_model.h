@@ -68,6 +68,7 @@ handMadeModel(std::size_t points)
   model.maker = "pcl_kss_icp_multiview 0.2.0";
   model.settings = {{"mode", "overlap"}, {"estimate_scale", "false"}};
   model.seconds = 42.5;
+  model.tasks = {{"scans", 12}, {"quick pairs", 30}};
   model.result.seconds = {{"descriptions", 1.25}, {"pairs", 40.0}, {"refinement", 1.0}};
   model.result.groups = {{0, 1, 2, 3, 4, 5, 6}, {7, 8, 9}, {10}, {11}};
   model.result.scans.resize(12);

@@ -486,7 +486,7 @@ TEST_F(MultiviewFiles, FolderHasAllFiles)
     found.insert(entry.path().filename().string());
   EXPECT_EQ((std::set<std::string>{"graph.json", "graph_1.g2o", "graph_2.g2o",
                                    "index.html", "merged_1.ply", "merged_2.ply",
-                                   "pairs.csv", "poses", "poses.json"}),
+                                   "pairs.csv", "poses", "poses.json", "times.json"}),
             found);
   EXPECT_EQ(Eigen::Matrix4d(model_.result.scans[4].transformation),
             readTransformation(folder + "/poses/body_5.txt"));
@@ -494,6 +494,16 @@ TEST_F(MultiviewFiles, FolderHasAllFiles)
   const std::string page = contentOf(folder + "/index.html");
   EXPECT_TRUE(has(page, "2,100 points in the frame of body_1"));
   EXPECT_EQ(canDrawGroups() ? 6u : 0u, timesIn(page, "data:image/png;base64,iVBOR"));
+}
+
+TEST_F(MultiviewFiles, TimesAreThoseOfTheStages)
+{
+  const json times = json::parse(timesText(model_));
+  ASSERT_EQ(3u, times["stages"].size());
+  EXPECT_EQ("pairs", times["stages"][1]["stage"]);
+  EXPECT_EQ(40.0, times["stages"][1]["seconds"]);
+  EXPECT_EQ((json{{"scans", 12}, {"quick pairs", 30}}), times["tasks"]);
+  EXPECT_EQ(42.5, times["seconds"]);
 }
 
 TEST_F(MultiviewFiles, GroupsAreDrawnWhateverIsFarOut)

@@ -168,6 +168,7 @@ writeFolder(const Model& model,
                   transformationText(model.result.scans[i].transformation));
   files.write("graph.json", graphText(model));
   files.write("pairs.csv", pairsText(model));
+  files.write("times.json", timesText(model));
   const std::set<std::string> old = filesOfEarlierRun(folder);
   files.write("poses.json", posesText(model, names));
   files.removeOthers(old);

@@ -128,4 +128,17 @@ graphText(const Model& model)
   return written(json);
 }
 
+std::string
+timesText(const Model& model)
+{
+  JSON json{{"maker", model.maker}, {"stages", JSON::array()}};
+  for (const auto& stage : model.result.seconds)
+    json["stages"].push_back({{"stage", stage.stage}, {"seconds", stage.seconds}});
+  json["tasks"] = JSON::object();
+  for (const auto& [kind, number] : model.tasks)
+    json["tasks"][kind] = number;
+  json["seconds"] = model.seconds;
+  return written(json);
+}
+
 } // namespace tool

@@ -38,6 +38,8 @@ struct Model {
   std::string maker;
   /** \brief Names and values of what was set, for people. */
   std::vector<std::pair<std::string, std::string>> settings;
+  /** \brief How many pieces of work were done of which kind. */
+  std::vector<std::pair<std::string, std::size_t>> tasks;
   /** \brief Wall time of all of it. */
   double seconds = 0.0;
 };

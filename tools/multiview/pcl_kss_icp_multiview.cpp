@@ -24,8 +24,12 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <new>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 /** \file
  * Finds the poses of many scans, in threads and, under mpirun, in several processes.
@@ -76,6 +80,21 @@ settingsForPeople(const MultiviewOptions& options)
   return settings;
 }
 
+std::vector<std::pair<std::string, std::size_t>>
+tasksDone(const ScanJobs& jobs)
+{
+  using Kind = pcl::kss::ScanTask::Kind;
+  const std::map<Kind, std::string> names = {{Kind::DESCRIBE, "scans"},
+                                             {Kind::TRY, "quick pairs"},
+                                             {Kind::REGISTER, "thorough pairs"},
+                                             {Kind::CONNECT, "pairs of groups"},
+                                             {Kind::STEP, "steps of refinement"}};
+  std::vector<std::pair<std::string, std::size_t>> tasks;
+  for (const auto& [kind, number] : jobs.counts())
+    tasks.emplace_back(names.at(kind), number);
+  return tasks;
+}
+
 int
 connect(const MultiviewOptions& options, Crew& crew)
 {
@@ -106,6 +125,7 @@ connect(const MultiviewOptions& options, Crew& crew)
   model.spacing = options.spacing;
   model.maker = "pcl_kss_icp_multiview " PCL_KSS_ICP_VERSION;
   model.settings = settingsForPeople(options);
+  model.tasks = tasksDone(jobs);
   const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - start;
   model.seconds = seconds.count();

@@ -43,6 +43,7 @@ ScanJobs::work(const std::vector<ScanTask>& tasks,
       left.size(), [&](std::size_t i) { return jobOf(tasks[left[i]]); },
       [&](std::size_t i, JobAnswer answer) {
         const ScanTask& task = tasks[left[i]];
+        ++counts_[task.kind];
         ScanAnswer result;
         result.pair.source = task.source;
         result.pair.target = task.target;

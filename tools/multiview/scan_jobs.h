@@ -9,6 +9,8 @@
 #include <pcl/registration/kss/scan_work.h>
 
 #include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace tool {
@@ -32,9 +34,17 @@ public:
   work(const std::vector<pcl::kss::ScanTask>& tasks,
        const std::function<void(std::size_t, pcl::kss::ScanAnswer)>& done) override;
 
+  /** \brief How many of each kind have been done, known ones aside. */
+  const std::map<pcl::kss::ScanTask::Kind, std::size_t>&
+  counts() const
+  {
+    return counts_;
+  }
+
 private:
   Crew& crew_;
   ScanJournal& journal_;
+  std::map<pcl::kss::ScanTask::Kind, std::size_t> counts_;
 };
 
 } // namespace tool

@@ -30,6 +30,11 @@ graphText(const Model& model);
 std::string
 pairsText(const Model& model);
 
+/** \brief How long the stages took, as JSON: apart from the others, which are the
+ * same whenever they are made. */
+std::string
+timesText(const Model& model);
+
 /** \brief The scans of a group and its kept pairs, as g2o reads them. */
 std::string
 g2oText(const Model& model, const std::vector<std::size_t>& group);
