@@ -15,7 +15,7 @@ namespace {
 constexpr double least_probable = 0.03;
 
 /** No pair is surer than that: it may show something that looks the same elsewhere. */
-constexpr double surest = 0.98;
+constexpr double surest = 0.9;
 
 } // namespace
 

@@ -27,6 +27,11 @@ namespace {
  * say about their poses. */
 constexpr double enough_overlap = 0.2;
 
+/** Each scan is to have so many pairs that agree with the model, as far as there are
+ * others that it overlaps by so much of both. */
+constexpr std::size_t enough_confirmations = 4;
+constexpr double confirming_overlap = 0.5;
+
 /** Of each scan, so many of these at most: more of them say the same again. */
 constexpr std::size_t most_overlapping = 16;
 
@@ -72,6 +77,7 @@ public:
         pairsToTry(resemblances_, usable(), settings_.all_pairs, settings_.partners),
         ScanTask::Kind::TRY, "pairs");
     place();
+    confirm();
     // what that has left apart is looked at again, thoroughly
     for (int round = 0; round < most_rounds; ++round) {
       const std::vector<ScanPair> wanted = wantedPairs(
@@ -176,7 +182,11 @@ private:
     for (const auto& [scans, pair] : pairs_)
       pairs.push_back(pair);
     const std::vector<PoseCandidate> candidates = candidatesOf(pairs);
-    Consensus consensus = consensusOf(scans_, candidates, pairs_.size());
+    std::vector<ScanPair> tried;
+    for (const auto& [scans, pair] : pairs_)
+      if (!pair.poses.empty())
+        tried.push_back(scans);
+    Consensus consensus = consensusOf(scans_, candidates, tried);
     poses_ = std::move(consensus.poses);
     groups_ = std::move(consensus.groups);
     for (const PlacedGroup& group : groups_)
@@ -226,6 +236,67 @@ private:
       links.push_back(link);
     }
     return links;
+  }
+
+  /** Try more pairs of scans that hang on few others, where the model says that they
+   * overlap: those agree, or speak against the model. */
+  void
+  confirm()
+  {
+    for (int round = 0; round < most_rounds; ++round) {
+      std::vector<ScanPair> pairs;
+      for (const PlacedGroup& group : groups_)
+        for (const ScanPair& pair : unconfirmedPairs(group))
+          pairs.push_back(pair);
+      if (pairs.empty())
+        return;
+      registerPairs(pairs, ScanTask::Kind::TRY, "pairs that confirm");
+      place();
+    }
+  }
+
+  std::set<ScanPair>
+  unconfirmedPairs(const PlacedGroup& group) const
+  {
+    std::map<std::size_t, std::size_t> confirmations;
+    std::map<std::size_t, std::vector<std::pair<double, ScanPair>>> more;
+    for (const std::size_t a : group)
+      for (const std::size_t b : group) {
+        if (a >= b)
+          continue;
+        const auto found = pairs_.find({a, b});
+        if (found != pairs_.end()) {
+          const std::size_t agrees = isKept(found->second) ? 1 : 0;
+          confirmations[a] += agrees;
+          confirmations[b] += agrees;
+          continue;
+        }
+        const double overlap =
+            expectedOverlap(scans_[a], scans_[b], relativePose(a, b)).least;
+        if (overlap >= confirming_overlap) {
+          more[a].push_back({-overlap, {a, b}});
+          more[b].push_back({-overlap, {a, b}});
+        }
+      }
+    std::set<ScanPair> pairs;
+    for (auto& [scan, of_scan] : more) {
+      std::sort(of_scan.begin(), of_scan.end());
+      const std::size_t known = confirmations[scan];
+      for (std::size_t p = 0; p + known < enough_confirmations && p < of_scan.size();
+           ++p)
+        pairs.insert(of_scan[p].second);
+    }
+    return pairs;
+  }
+
+  /** Whether a pose of a pair is where the model has it. */
+  bool
+  isKept(const PairResult& pair) const
+  {
+    return std::any_of(pair.poses.begin(), pair.poses.end(), [&](const PairPose& pose) {
+      return deviationOf(pair.source, pair.target, pose.transformation) <=
+             kept_share * smallerRadius(pair.source, pair.target);
+    });
   }
 
   /** The scans of a group where they are. */
@@ -288,7 +359,7 @@ private:
         const Eigen::Matrix4d pose =
             inverted(target.pose) * T_target_source * Eigen::Matrix4d(source.pose);
         const double overlap =
-            expectedOverlap(scans_[source.scan], scans_[target.scan], pose);
+            expectedOverlap(scans_[source.scan], scans_[target.scan], pose).most;
         if (overlap <= most)
           continue;
         most = overlap;
@@ -354,7 +425,7 @@ private:
         if (a >= b)
           continue;
         const double overlap =
-            expectedOverlap(scans_[a], scans_[b], relativePose(a, b));
+            expectedOverlap(scans_[a], scans_[b], relativePose(a, b)).most;
         if (overlap < enough_overlap)
           continue;
         partners[a].push_back({-overlap, {a, b}});

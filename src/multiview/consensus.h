@@ -7,6 +7,7 @@
 #include <pcl/registration/kss/scan_work.h>
 
 #include "multiview/candidates_of_pairs.h"
+#include "multiview/pair_choice.h"
 
 #include <cstddef>
 #include <vector>
@@ -38,14 +39,14 @@ constexpr double agreeing_share = 0.1;
  * them.
  * \param[in] scans descriptions; of those that cannot be used, empty ones
  * \param[in] candidates of all pairs
- * \param[in] pairs_tried how many pairs have been registered: the more there are for
- * each scan, the fewer of them can be right, and the surer one has to be that nothing
- * agrees with
+ * \param[in] tried the pairs that have been registered: the more there are for each
+ * scan, the fewer of them can be right, and the surer one has to be that nothing agrees
+ * with
  */
 Consensus
 consensusOf(const std::vector<ScanDescription>& scans,
             const std::vector<PoseCandidate>& candidates,
-            std::size_t pairs_tried);
+            const std::vector<ScanPair>& tried);
 
 } // namespace kss
 } // namespace pcl

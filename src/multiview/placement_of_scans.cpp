@@ -55,7 +55,7 @@ informationOfDisplacement(const ScanDescription& scan, const Eigen::Matrix4d& po
   return information;
 }
 
-double
+ExpectedOverlap
 expectedOverlap(const ScanDescription& source,
                 const ScanDescription& target,
                 const Eigen::Matrix4d& pose)
@@ -65,11 +65,12 @@ expectedOverlap(const ScanDescription& source,
   const Eigen::Vector3d shift =
       (pose * source.centroid.homogeneous()).head<3>() - target.centroid;
   if (shift.norm() > source.reach + target.reach)
-    return 0.0;
+    return {};
   const Eigen::Matrix3Xf placed =
       (rotation.cast<float>() * source.outline).colwise() + shift.cast<float>();
-  return std::max(covered(placed, target.outline, target.gap),
-                  covered(target.outline, placed, source.gap));
+  const double of_source = covered(placed, target.outline, target.gap);
+  const double of_target = covered(target.outline, placed, source.gap);
+  return {std::max(of_source, of_target), std::min(of_source, of_target)};
 }
 
 } // namespace kss

@@ -29,10 +29,14 @@ displacement(const ScanDescription& scan,
 Eigen::Matrix<double, 6, 6>
 informationOfDisplacement(const ScanDescription& scan, const Eigen::Matrix4d& pose);
 
-/** \brief The share of one scan that the other one covers at a pose, of whichever more
- * is covered, by their outlines.
- */
-double
+/** \brief How much of two scans lies on each other at a pose, by their outlines. */
+struct ExpectedOverlap {
+  double most = 0.0;  ///< the share of the scan of which more is covered
+  double least = 0.0; ///< that of the other one
+};
+
+/** \brief The overlap that is to be expected at a pose of one scan on another. */
+ExpectedOverlap
 expectedOverlap(const ScanDescription& source,
                 const ScanDescription& target,
                 const Eigen::Matrix4d& pose);

@@ -2,82 +2,20 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
+#include "body.h"
+
 #include "multiview/placement_of_scans.h"
 
 #include <pcl/registration/kss/scan_work.h>
 
-#include <Eigen/Geometry>
-
 #include <gtest/gtest.h>
 
-#include <random>
 #include <stdexcept>
 
 using namespace pcl::kss;
+using made_up::Body;
 
 namespace {
-
-/** A body with bumps, as it is seen from some sides, each time by other points. */
-class Body {
-public:
-  explicit Body(unsigned int seed)
-  : random_(seed)
-  {
-    for (int i = 0; i < 12; ++i)
-      bumps_.push_back({direction(), uniform(0.2, 0.7), uniform(5.0, 20.0)});
-  }
-
-  /** \brief The side that faces a direction, in the frame of a scanner. */
-  Eigen::Matrix3Xd
-  seenFrom(const Eigen::Vector3d& eye, const Eigen::Matrix4d& T_scan_body, int size)
-  {
-    Eigen::Matrix3Xd points(3, size);
-    for (int i = 0; i < size;) {
-      const Eigen::Vector3d at = direction();
-      if (at.dot(eye.normalized()) < -0.1)
-        continue;
-      double radius = 1.0;
-      for (const Bump& bump : bumps_)
-        radius +=
-            bump.height * std::exp(bump.narrowness * (bump.direction.dot(at) - 1.0));
-      points.col(i++) = (T_scan_body * (radius * at).homogeneous()).head<3>();
-    }
-    return points;
-  }
-
-  Eigen::Matrix4d
-  randomPose()
-  {
-    Eigen::Isometry3d pose(
-        Eigen::Quaterniond(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), 0.5)
-            .normalized());
-    pose.translation() = 3.0 * direction();
-    return pose.matrix();
-  }
-
-private:
-  struct Bump {
-    Eigen::Vector3d direction;
-    double height, narrowness;
-  };
-
-  double
-  uniform(double smallest, double largest)
-  {
-    return std::uniform_real_distribution<double>(smallest, largest)(random_);
-  }
-
-  Eigen::Vector3d
-  direction()
-  {
-    std::normal_distribution<double> normal;
-    const double x = normal(random_), y = normal(random_), z = normal(random_);
-    return Eigen::Vector3d(x, y, z).normalized();
-  }
-
-  std::mt19937 random_;
-  std::vector<Bump> bumps_;
-};
 
 /** Scans of two bodies, five of the one from around it, and two of the other. */
 class ConnectScans : public testing::Test {

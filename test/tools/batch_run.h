@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "own_folder.h"
+#include "program_run.h"
 
 #include <Eigen/Geometry>
 
@@ -12,21 +12,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <random>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
-
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace kss_test {
 
@@ -35,13 +26,8 @@ using JSON = nlohmann::json;
 constexpr int PAIRS = 10;
 
 /** \brief Runs the program in a folder with some clouds and a list of pairs. */
-class BatchRun : public OwnFolder {
+class BatchRun : public ProgramRun {
 protected:
-  struct Outcome {
-    int status; ///< -1 where a signal ended it
-    std::string output, errors;
-  };
-
   void
   SetUp() override
   {
@@ -80,14 +66,6 @@ protected:
     return rows.str();
   }
 
-  std::string
-  content(const std::string& name) const
-  {
-    std::ostringstream text;
-    text << std::ifstream(path(name), std::ios::binary).rdbuf();
-    return text.str();
-  }
-
   /** \brief The final files, whose bytes do not depend on anything but the run. */
   std::string
   results(const std::string& folder) const
@@ -97,38 +75,6 @@ protected:
     return table + content(folder + "/results.jsonl");
   }
 
-  std::vector<std::string>
-  lines(const std::string& name) const
-  {
-    std::istringstream text(content(name));
-    std::vector<std::string> all;
-    for (std::string line; std::getline(text, line);)
-      all.push_back(line);
-    return all;
-  }
-
-  pid_t
-  start(std::vector<std::string> words) const
-  {
-    std::vector<char*> arguments;
-    for (auto& word : words)
-      arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    const pid_t child = fork();
-    if (child != 0)
-      return child;
-    if (file_size_limit_ > 0) {
-      const rlimit limit = {file_size_limit_, file_size_limit_};
-      setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    const int output = open(path("output").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    const int errors = open(path("errors").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    if (chdir(directory_.c_str()) != 0 || dup2(output, 1) < 0 || dup2(errors, 2) < 0)
-      _exit(99);
-    execv(arguments[0], arguments.data());
-    _exit(99);
-  }
-
   /** \brief The program with a small search, which is the same everywhere. */
   static std::vector<std::string>
   batch(std::vector<std::string> more)
@@ -136,21 +82,6 @@ protected:
     more.insert(more.begin(),
                 {PCL_KSS_ICP_BATCH, "--device", "host", "--points", "300", "--rigid"});
     return more;
-  }
-
-  Outcome
-  finish(pid_t child) const
-  {
-    int status = 0;
-    waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content("output"),
-            content("errors")};
-  }
-
-  Outcome
-  run(const std::vector<std::string>& words) const
-  {
-    return finish(start(words));
   }
 
   /** \brief The results of an undisturbed run in one thread. */
@@ -176,19 +107,6 @@ protected:
     return times;
   }
 
-  /** \brief Wait for something, but not forever. */
-  template <typename Predicate>
-  static bool
-  waitFor(Predicate predicate)
-  {
-    for (int i = 0; i < 30000; ++i) {
-      if (predicate())
-        return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
-  }
-
   /** \brief How often a journal has a text. */
   std::size_t
   timesInJournal(const std::string& folder, const std::string& text) const
@@ -199,15 +117,6 @@ protected:
       ++number;
     return number;
   }
-
-  static void
-  expectError(const Outcome& outcome, const std::string& part)
-  {
-    EXPECT_EQ(2, outcome.status);
-    EXPECT_NE(std::string::npos, outcome.errors.find(part)) << outcome.errors;
-  }
-
-  rlim_t file_size_limit_ = 0;
 };
 
 } // namespace kss_test

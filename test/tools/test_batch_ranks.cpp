@@ -21,21 +21,15 @@ protected:
     if (std::string(PCL_KSS_ICP_MPIRUN).empty())
       GTEST_SKIP() << "Built without MPI";
     BatchRun::SetUp();
-    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
-    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
     setenv("PCL_KSS_ICP_RANK_PATIENCE", "2", 1);
   }
 
   static std::vector<std::string>
   ranks(int number, std::vector<std::string> more)
   {
-    std::vector<std::string> words = {PCL_KSS_ICP_MPIRUN, "--oversubscribe", "-n",
-                                      std::to_string(number)};
     for (const auto& word : {"--threads", "1", "--quiet"})
       more.push_back(word);
-    more = batch(more);
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
+    return asRanks(number, batch(more));
   }
 
   /** The process of a rank below a process; 0: there is none yet. */

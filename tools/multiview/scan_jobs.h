@@ -15,11 +15,7 @@
 
 namespace tool {
 
-/** \brief What is done with scans, as jobs that can travel between processes. */
-std::string
-jobOf(const pcl::kss::ScanTask& task);
-
-/** \brief Does the jobs. */
+/** \brief Does what is done with scans, as jobs that can travel between processes. */
 JobHandler
 handlerOf(pcl::kss::ScanWorker& worker);
 

@@ -59,13 +59,11 @@ public:
   clear();
 
   /** \brief Set how pairs are registered: see kss::Settings. The scale is known, pairs
-   * run in one thread each, and Settings::threads is how many run at once.
+   * run in one thread each, and Settings::threads is how many run at once. Where a value
+   * is out of bounds, the former one stays, which is told as an error.
    */
   void
-  setSettings(const kss::Settings& settings)
-  {
-    settings_ = settings;
-  }
+  setSettings(const kss::Settings& settings);
 
   /** \brief Get how pairs are registered. */
   const kss::Settings&

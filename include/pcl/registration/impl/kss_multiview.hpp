@@ -7,8 +7,10 @@
 #include <pcl/registration/kss_multiview.h>
 
 #include <pcl/common/transforms.h>
+#include <pcl/console/print.h>
 #include <pcl/type_traits.h>
 
+#include <string>
 #include <utility>
 
 namespace pcl {
@@ -28,6 +30,16 @@ KSSMultiview<PointT>::clear()
 {
   scans_.clear();
   result_ = {};
+}
+
+template <typename PointT>
+void
+KSSMultiview<PointT>::setSettings(const kss::Settings& settings)
+{
+  const kss::CheckedSettings checked = kss::checked(settings, settings_);
+  for (const std::string& refusal : checked.refusals)
+    PCL_ERROR("[pcl::registration::KSSMultiview] %s\n", refusal.c_str());
+  settings_ = checked.settings;
 }
 
 template <typename PointT>
@@ -63,8 +75,10 @@ KSSMultiview<PointT>::getMergedCloud(std::size_t group, PointCloud& cloud) const
 {
   PointCloud merged;
   for (const std::size_t scan : result_.groups.at(group)) {
+    if (!scans_[scan] || scans_[scan]->empty()) // a group of its own
+      continue;
     PointCloud placed;
-    const Eigen::Matrix4f pose = getPose(scan).cast<float>();
+    const Eigen::Matrix4f pose = getPose(scan).template cast<float>();
     if constexpr (pcl::traits::has_normal<PointT>::value)
       pcl::transformPointCloudWithNormals(*scans_[scan], placed, pose);
     else
