@@ -31,6 +31,7 @@ KINDS = {  # of work: the stages that do it
 ALL_PAIRS = 25
 BYTES_OF_RESEMBLANCE = 4
 EACH_TWO = {"Resemblances": 1, "DistantOverlaps": 10}  # how often; refinement has ten steps
+BYTES_OF_DESCRIPTION = 0.21e6  # as pcl_kss_icp_multiview_benchmark counts them
 # Of the texts that the journal has of a scan and of a pair, and that stay in memory.
 JOURNAL_OF_SCAN, JOURNAL_OF_PAIR = 330e3, 1.4e3
 
@@ -112,6 +113,7 @@ def predicted(scans: int, arguments, runs: list, cost: dict) -> dict:
     two = scans * (scans - 1) / 2
     return {"shared": work, "shared seconds": sum(work.values()) / arguments.cores,
             "alone": {name: two * EACH_TWO[name] * seconds for name, seconds in cost.items()},
+            "descriptions": BYTES_OF_DESCRIPTION * scans,
             "matrix": BYTES_OF_RESEMBLANCE * scans ** 2,
             "journal": scans * (JOURNAL_OF_SCAN
                                 + JOURNAL_OF_PAIR * sum(per_scan[kind] for kind in KINDS
@@ -164,6 +166,7 @@ def main():
     rows += [[f"{name}, by one process"] + [time_text(guess["alone"][name]) for guess in guesses]
              for name in cost]
     rows.append(["memory of the resemblances"] + [size_text(g["matrix"]) for g in guesses])
+    rows.append(["memory of descriptions"] + [size_text(g["descriptions"]) for g in guesses])
     rows.append(["journal, on disk and in memory"] + [size_text(g["journal"]) for g in guesses])
     print_table(["CPU time, one core", *(f"{scans:,} scans" for scans in arguments.scans)], rows)
 
