@@ -72,7 +72,7 @@ class Batch:
 
     def __init__(self, folder: pathlib.Path, arguments):
         self.folder = folder
-        self.command = [str(arguments.build.resolve() / "tools/pcl_kss_icp_batch"),
+        self.command = [str(arguments.build.resolve() / "tools" / "pcl_kss_icp_batch"),
                         "pairs.csv", *HOW, "--threads", str(arguments.threads), "--quiet"]
 
     def start(self, out: str) -> subprocess.Popen:
@@ -159,7 +159,7 @@ def check_all(folder: pathlib.Path, arguments) -> int:
 
     whole = [number for number in range(1, arguments.pairs + 1) if number not in broken]
     drawn = sorted(random.Random(arguments.seed + 1).sample(whole, 10))
-    program = arguments.build.resolve() / "tools/pcl_kss_icp"
+    program = arguments.build.resolve() / "tools" / "pcl_kss_icp"
     same = [check_single(batch, program, number, lines[number - 1]) for number in drawn]
     check(all(same), "pcl_kss_icp has the same numbers of pairs "
           + ", ".join(map(str, drawn)))

@@ -31,7 +31,7 @@ COLUMNS = ["set", "scans", "things", "groups", "right", "rotation, degrees", "tr
 
 def make(name: str, arguments, folder: pathlib.Path):
     build = arguments.build
-    program = build / "benchmarks/pcl_kss_icp_virtual_scans"
+    program = build / "benchmarks" / "pcl_kss_icp_virtual_scans"
     seed = str(arguments.seed)
     if name in VIRTUAL:
         command = [program, *VIRTUAL[name], "--shuffle"]
@@ -98,7 +98,7 @@ def main():
     for name in names:
         folder = arguments.out / name
         make(name, arguments, folder)
-        run = connect(arguments.build / "tools/pcl_kss_icp_multiview", folder,
+        run = connect(arguments.build / "tools" / "pcl_kss_icp_multiview", folder,
                       arguments.threads)
         report = multiview.judge(folder / "model/poses.json", folder / "truth.json")
         (folder / "run.json").write_text(json.dumps({**run, "judged": report}, indent=1))
