@@ -11,12 +11,12 @@ poses are off. A group has a frame of its own: it is laid on the truth by the ri
 that makes the sum of the scans' misplacements least, so that a few lost scans do not move
 the others. Laid on the truth by its first scan alone, too, it shows how far errors have
 added up at its far end. The truth of a scan without "transformation" is the scan as it is:
-those of its thing are in a common frame. The exit status is 1 where a scan is in a wrong place or a wrong group, or a
-wrong pair is kept.
+those of its thing are in a common frame. The exit status is 1 where a scan is in a wrong
+place or a wrong group, or a wrong pair is kept.
 
 prepare writes scans of SET in random order and random frames to DIR, with truth.json.
-FOLDER holds pairs/bunny, pairs/pcl_capture, scans/pairs.json and objects/. pcl_kss_icp_virtual_scans does
-the work; --program says where it is.
+FOLDER holds pairs/bunny, pairs/pcl_capture, scans/pairs.json and objects/.
+pcl_kss_icp_virtual_scans does the work; --program says where it is.
 """
 import argparse
 import collections
