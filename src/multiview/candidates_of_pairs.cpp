@@ -20,7 +20,7 @@ constexpr double surest = 0.9;
 } // namespace
 
 std::vector<PoseCandidate>
-candidatesOf(const std::vector<PairResult>& pairs)
+candidatesOf(const std::vector<PairResult>& pairs, double shift)
 {
   std::vector<PoseCandidate> candidates;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
@@ -34,7 +34,9 @@ candidatesOf(const std::vector<PairResult>& pairs)
       sum += std::exp(std::min(pose.log_odds - best, 0.0));
     for (std::size_t i = 0; i < pair.poses.size(); ++i) {
       const double share = std::exp(std::min(pair.poses[i].log_odds - best, 0.0)) / sum;
-      const double probability = std::min(surest, pair.confidence * share);
+      const double alone = std::min(surest, pair.confidence * share);
+      const double odds = std::exp(shift) * alone / (1.0 - alone);
+      const double probability = odds / (1.0 + odds);
       if (probability >= least_probable)
         candidates.push_back({p, i, pair.source, pair.target,
                               pair.poses[i].transformation, probability});

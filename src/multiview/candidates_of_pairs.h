@@ -22,9 +22,12 @@ struct PoseCandidate {
   double probability = 0.0;
 };
 
-/** \brief The poses of pairs that may be right, as far as each pair alone tells. */
+/** \brief The poses of pairs that may be right, as far as each pair alone tells.
+ * \param[in] shift of the logarithm of the odds of all of them: less than 0 where pairs
+ * have turned out to be less sure than they say
+ */
 std::vector<PoseCandidate>
-candidatesOf(const std::vector<PairResult>& pairs);
+candidatesOf(const std::vector<PairResult>& pairs, double shift = 0.0);
 
 /** \brief The logarithm of the odds. */
 double

@@ -27,6 +27,10 @@ namespace {
  * say about their poses. */
 constexpr double enough_overlap = 0.2;
 
+/** So many pairs that are as sure as they say are assumed beside those that there are; and
+ * less than this changes nothing. */
+constexpr double few = 3.0, least_shift = 0.2;
+
 /** Each scan is to have so many pairs that agree with the model, as far as there are
  * others that it overlaps by so much of both. */
 constexpr std::size_t enough_confirmations = 4;
@@ -174,23 +178,58 @@ private:
     stages_.end();
   }
 
-  /** Groups, and poses in them, by what the pairs say. */
+  /** Groups, and poses in them, by what the pairs say. Where pairs that are sure by
+   * themselves turn out to disagree, as those of rooms that are built alike, all are
+   * believed less. */
   void
   place()
   {
     std::vector<PairResult> pairs = group_pairs_;
-    for (const auto& [scans, pair] : pairs_)
-      pairs.push_back(pair);
-    const std::vector<PoseCandidate> candidates = candidatesOf(pairs);
     std::vector<ScanPair> tried;
-    for (const auto& [scans, pair] : pairs_)
+    for (const auto& [scans, pair] : pairs_) {
+      pairs.push_back(pair);
       if (!pair.poses.empty())
         tried.push_back(scans);
-    Consensus consensus = consensusOf(scans_, candidates, tried);
-    poses_ = std::move(consensus.poses);
-    groups_ = std::move(consensus.groups);
-    for (const PlacedGroup& group : groups_)
-      solvePoses(scans_, group, linksOf(group, candidates), poses_);
+    }
+    double shift = 0.0;
+    for (int round = 0; round < most_rounds; ++round) {
+      const std::vector<PoseCandidate> candidates = candidatesOf(pairs, shift);
+      Consensus consensus = consensusOf(scans_, candidates, tried);
+      poses_ = std::move(consensus.poses);
+      groups_ = std::move(consensus.groups);
+      for (const PlacedGroup& group : groups_)
+        solvePoses(scans_, group, linksOf(group, candidates), poses_);
+      const double shown = shiftOfAgreement(pairs);
+      if (shown > shift - least_shift)
+        return;
+      shift = shown;
+    }
+  }
+
+  /** By how much the odds of pairs have to change, as a logarithm, for as many of those
+   * that are accepted to agree with the model as say so; not above 0. */
+  double
+  shiftOfAgreement(const std::vector<PairResult>& pairs) const
+  {
+    std::map<std::size_t, std::size_t> group_of;
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+      for (const std::size_t scan : groups_[g])
+        group_of[scan] = g;
+    double accepted = 0.0, expected = 0.0, agreeing = 0.0;
+    for (const PairResult& pair : pairs) {
+      if (pair.failure.cause != FailureCause::NONE || pair.poses.empty())
+        continue;
+      accepted += 1.0;
+      expected += std::min(pair.confidence, 0.9);
+      if (group_of[pair.source] == group_of[pair.target] && isKept(pair))
+        agreeing += 1.0;
+    }
+    if (accepted == 0.0)
+      return 0.0;
+    // a few that are as expected: one or two pairs prove nothing
+    const double usual = expected / accepted;
+    const double share = (agreeing + few * usual) / (accepted + few);
+    return std::min(0.0, logOdds(std::min(share, 0.99)) - logOdds(usual));
   }
 
   Eigen::Matrix4d

@@ -80,6 +80,9 @@ descriptionOf(const PreparedScan& scan)
   const Eigen::MatrixXf narrow = features(description.octave - 1);
   description.features.resize(wide.rows(), wide.cols() + narrow.cols());
   description.features << wide, narrow;
+  // no more digits than they are worth: there are many of them
+  constexpr float one = ScanDescription::feature_one;
+  description.features = (one * description.features).array().round() / one;
   return description;
 }
 

@@ -65,13 +65,30 @@ failureFrom(const json& value)
           value.at(1).get<std::string>()};
 }
 
+/** Features as the whole numbers that they are of their unit: a third of the text. */
+json
+featuresAsJSON(const Eigen::MatrixXf& features)
+{
+  json numbers = json::array();
+  for (Eigen::Index i = 0; i < features.size(); ++i)
+    numbers.push_back(
+        std::lround(features.data()[i] * pcl::kss::ScanDescription::feature_one));
+  return numbers;
+}
+
 json
 toJSON(const pcl::kss::ScanDescription& scan)
 {
-  return {{"centroid", toJSON(scan.centroid)}, {"spread", toJSON(scan.spread)},
-          {"outline", toJSON(scan.outline)},   {"spacing", toJSON(scan.spacing)},
-          {"rows", scan.features.rows()},      {"octave", scan.octave},
-          {"features", toJSON(scan.features)}, {"far", scan.far_points},{"gap", scan.gap},{"reach", scan.reach}};
+  return {{"centroid", toJSON(scan.centroid)},
+          {"spread", toJSON(scan.spread)},
+          {"outline", toJSON(scan.outline)},
+          {"spacing", toJSON(scan.spacing)},
+          {"rows", scan.features.rows()},
+          {"octave", scan.octave},
+          {"features", featuresAsJSON(scan.features)},
+          {"far", scan.far_points},
+          {"gap", scan.gap},
+          {"reach", scan.reach}};
 }
 
 pcl::kss::ScanDescription
@@ -85,7 +102,9 @@ descriptionFrom(const json& value)
   scan.spacing = numberFrom(value.at("spacing"));
   const Eigen::Index rows = value.at("rows");
   scan.features.resize(rows, rows ? value.at("features").size() / rows : 0);
-  fromJSON(value.at("features"), scan.features);
+  for (Eigen::Index i = 0; i < scan.features.size(); ++i)
+    scan.features.data()[i] = value.at("features").at(i).get<float>() /
+                              pcl::kss::ScanDescription::feature_one;
   scan.gap = value.at("gap");
   scan.reach = value.at("reach");
   scan.octave = value.at("octave");

@@ -67,7 +67,6 @@ ScanJournal::add(const std::string& job, const std::string& answer)
   file_ << job << '\n' << answer << '\n' << std::flush;
   if (!file_)
     complain(path_);
-  known_[job] = answer;
 }
 
 void

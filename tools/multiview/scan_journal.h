@@ -23,7 +23,7 @@ public:
    */
   ScanJournal(const std::string& path, const std::string& subject);
 
-  /** \brief The answer to a job that has been done. */
+  /** \brief The answer to a job that an earlier run has done. */
   std::optional<std::string>
   answerTo(const std::string& job) const;
 
@@ -33,7 +33,7 @@ public:
   void
   add(const std::string& job, const std::string& answer);
 
-  /** \brief How many answers there are. */
+  /** \brief How many answers of earlier runs there are. */
   std::size_t
   size() const
   {

@@ -60,8 +60,9 @@ struct ScanDescription {
   double spacing = 0.0;
   /** \brief What its surface is like around the first points of the outline, however it
    * is turned: a column for each of them within 2^octave, and then a column for each
-   * within half of that. */
+   * within half of that. In whole parts of 1 / feature_one. */
   Eigen::MatrixXf features;
+  static constexpr float feature_one = 255.0f;
   int octave = 0;
   std::size_t far_points = 0; ///< points that are too far away from the others
 };
