@@ -260,7 +260,6 @@ TEST_F(MultiviewRun, WorkOfOtherScansOrSettingsIsNotUsed)
     killWhenThereAre(1, multiview(two, "out"));
   };
   interrupted();
-  const std::string journal = content("out/journal.txt");
   EXPECT_TRUE(isUsed(multiview(two, "out")));
   interrupted();
   EXPECT_FALSE(isUsed(multiview(two, "out", {"--restart"})));
