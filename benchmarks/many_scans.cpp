@@ -2,8 +2,9 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
-// What is done for each two of many scans by the one process that knows them all: it grows
-// with the square of their number, however many others help. Scans are those of a street.
+// What is done for each two of many scans by the one process that knows them all: it
+// grows with the square of their number, however many others help. Scans are those of a
+// street.
 
 #include "virtual_sets.h"
 

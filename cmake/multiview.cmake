@@ -29,6 +29,7 @@ add_library(pcl_kss_icp::pcl_kss_icp_multiview ALIAS pcl_kss_icp_multiview)
 target_link_libraries(pcl_kss_icp_multiview
   PUBLIC pcl_kss_icp
   PRIVATE Ceres::ceres)
+kss_icp_offer_only(pcl_kss_icp_multiview src/multiview/exports.map)
 set_target_properties(pcl_kss_icp_multiview PROPERTIES
   LINKER_LANGUAGE CXX
   VERSION ${PROJECT_VERSION}

@@ -27,9 +27,12 @@ namespace {
  * say about their poses. */
 constexpr double enough_overlap = 0.2;
 
-/** So many pairs that are as sure as they say are assumed beside those that there are; and
- * less than this changes nothing. */
+/** So many pairs that are as sure as they say are assumed beside those that there are;
+ * and less than this changes nothing. */
 constexpr double few = 3.0, least_shift = 0.2;
+
+/** Loops cope with wrong pairs unless more of the sure ones disagree than agree. */
+constexpr double most_disagree = 0.5;
 
 /** Each scan is to have so many pairs that agree with the model, as far as there are
  * others that it overlaps by so much of both. */
@@ -207,7 +210,7 @@ private:
   }
 
   /** By how much the odds of pairs have to change, as a logarithm, for as many of those
-   * that are accepted to agree with the model as say so; not above 0. */
+   * that are accepted to agree with the model as say so; 0 where most of them do. */
   double
   shiftOfAgreement(const std::vector<PairResult>& pairs) const
   {
@@ -229,7 +232,7 @@ private:
     // a few that are as expected: one or two pairs prove nothing
     const double usual = expected / accepted;
     const double share = (agreeing + few * usual) / (accepted + few);
-    return std::min(0.0, logOdds(std::min(share, 0.99)) - logOdds(usual));
+    return share < most_disagree ? logOdds(share) - logOdds(usual) : 0.0;
   }
 
   Eigen::Matrix4d
@@ -479,9 +482,9 @@ private:
     return pairs;
   }
 
-  /** Move all scans of a group at once to where the points of all of them that match lie
-   * on each other's planes: each pair of scans that overlap makes a step of ICP, and the
-   * poses are those that are in best agreement with all steps. */
+  /** Move all scans of a group at once to where the points of all of them that match
+   * lie on each other's planes: each pair of scans that overlap makes a step of ICP,
+   * and the poses are those that are in best agreement with all steps. */
   void
   refine()
   {

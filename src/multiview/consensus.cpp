@@ -272,7 +272,8 @@ private:
     return detours;
   }
 
-  /** Whether a detour leads to where an alignment does, about: it has twice the error. */
+  /** Whether a detour leads to where an alignment does, more or less: its error is that
+   * of two. */
   bool
   agrees(const Detour& detour, const Eigen::Matrix4d& T_first_second) const
   {

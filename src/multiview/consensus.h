@@ -26,15 +26,15 @@ struct Consensus {
   std::vector<StoredPose> poses;
 };
 
-/** \brief Candidates agree where they place a scan less far apart than this share of its
- * root mean square radius. */
+/** \brief Candidates agree where they place a scan less far apart than this share of
+ * its root mean square radius. */
 constexpr double agreeing_share = 0.1;
 
 /** \brief Unite scans by the poses that most pairs agree on.
  *
  * Groups are united two by two, those first whose alignment is most probable. What
- * speaks for one are the pairs between the two groups, and the ways by a third one, that
- * agree with it: each of them closes a loop, and a wrong pose would have to be wrong in
+ * speaks for one are the pairs between the two groups, and the ways by a third one,
+ * that agree with it: each of them closes a loop, and a wrong pose would have to be wrong in
  * the same way, by chance. Against it speak other alignments, as much as they have for
  * them.
  * \param[in] scans descriptions; of those that cannot be used, empty ones

@@ -15,8 +15,8 @@ namespace {
 /** Of two groups, so many pairs at a time. */
 constexpr std::size_t pairs_of_groups = 3;
 
-/** Pairs that have not been tried are tried after those whose poses have better odds, as
- * a logarithm, than this. */
+/** Pairs that have not been tried are tried after those whose poses have better odds,
+ * as a logarithm, than this. */
 constexpr double untried_log_odds = -5.0;
 
 /** Points of two scans whose features are each other's nearest. */

@@ -1,10 +1,10 @@
 /*
  * SPDX-License-Identifier: BSD-3-Clause
  *
- * The solver is Ceres; the equations of a link are these. Let c be the source's centroid
- * and x_i = P_i c_i where a pose P_i places the centroid of scan i. A link says that the
- * source has the rotation R and its centroid the place y = T c in the frame of the
- * target. Poses say R_j^T R_i and R_j^T (x_i - x_j) + c_j. The errors are
+ * The solver is Ceres; the equations of a link are these. Let c be the source's
+ * centroid and x_i = P_i c_i where a pose P_i places the centroid of scan i. A link
+ * says that the source has the rotation R and its centroid the place y = T c in the
+ * frame of the target. Poses say R_j^T R_i and R_j^T (x_i - x_j) + c_j. The errors are
  *
  *   e = [ log (R_j^T R_i R^T),  R_j^T (x_i - x_j) + c_j - y ]
  *

@@ -21,7 +21,8 @@ struct PreparedPair {
   bool is_noisy = false;
 };
 
-/** \brief Two clouds that have been made ready, without the noise of heavily noisy ones.
+/** \brief Two clouds that have been made ready, without the noise of heavily noisy
+ * ones.
  */
 PreparedPair
 pairOf(const std::shared_ptr<const PreparedCloud>& source,

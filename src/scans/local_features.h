@@ -16,9 +16,9 @@ namespace kss {
 /** \brief What a surface is like around points of it, however it is turned: how often
  * its points around one of them lie in which direction, seen from its normal, with a
  * normal at which angle, and how far away (after the histograms of E. Wahl, U.
- * Hillenbrand, G. Hirzinger, "Surflet-pair-relation histograms", 2003, and R. B. Rusu, N.
- * Blodow, M. Beetz, "Fast point feature histograms", 2009; signs of normals mean nothing
- * here).
+ * Hillenbrand, G. Hirzinger, "Surflet-pair-relation histograms", 2003, and R. B. Rusu,
+ * N. Blodow, M. Beetz, "Fast point feature histograms", 2009; signs of normals mean
+ * nothing here).
  * \param[in] points of the surface
  * \param[in] normals of them, of unit length and either sign
  * \param[in] chosen the indices of the points that are described

@@ -17,8 +17,8 @@
 namespace pcl {
 namespace kss {
 
-/** \brief Scans that have been made ready, as many as there is room for: those that have
- * not been asked for for longest make place for others.
+/** \brief Scans that have been made ready, as many as there is room for: those that
+ * have not been asked for for longest make place for others.
  *
  * Each is made once however many threads ask for it at the same time.
  */

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks that a library exports what exported.txt lists, and nothing else, and that it
+"""Checks that a library exports what its list here names, and nothing else, and that it
 finds all that it needs itself.
 
     test/abi/exported.py LIBRARY              checks
-    test/abi/exported.py LIBRARY --update     writes exported.txt anew
+    test/abi/exported.py LIBRARY --update     writes the list anew
+
+libpcl_kss_icp has exported.txt, libpcl_kss_icp_multiview has exported_multiview.txt.
 
 The members of KSSICP are listed once: each is there for all of its instantiations.
 """
@@ -13,7 +15,6 @@ import re
 import subprocess
 import sys
 
-LIST = pathlib.Path(__file__).with_name("exported.txt")
 INSTANTIATION = re.compile(r"pcl::KSSICP<(pcl::\w+), \1, (float|double)>")
 # Names that stand for what they abbreviate.
 SHORT = [
@@ -62,20 +63,22 @@ def undefined(library):
 
 def main():
     library = sys.argv[1]
+    kind = "_multiview" if "_multiview" in pathlib.Path(library).name else ""
+    listing = pathlib.Path(__file__).with_name(f"exported{kind}.txt")
     now = exported(library)
     if sys.argv[2:] == ["--update"]:
-        LIST.write_text("".join(f"{name}\n" for name in sorted(now)))
+        listing.write_text("".join(f"{name}\n" for name in sorted(now)))
         return 0
-    listed = set(LIST.read_text().splitlines())
+    listed = set(listing.read_text().splitlines())
     changes = ([f"new: {name}" for name in sorted(now - listed)] +
                [f"gone: {name}" for name in sorted(listed - now)])
     problems = changes + undefined(library)
     for problem in problems:
         print(problem)
     if changes:
-        print(f"\nThe symbols of {library} are not those that {LIST} lists.\n"
+        print(f"\nThe symbols of {library} are not those that {listing} lists.\n"
               "What need not be exported is marked with PCL_KSS_ICP_EXPORT, or named in\n"
-              "src/pcl/exports.map, without need. If the change is meant, it is one of the\n"
+              "exports.map, without need. If the change is meant, it is one of the\n"
               "ABI: a new minor version in CMakeLists.txt, a line in CHANGELOG.md, and\n"
               f"    test/abi/exported.py {library} --update")
     return 1 if problems else 0

@@ -12,7 +12,8 @@
 
 namespace made_up {
 
-/** \brief A body with bumps, as it is seen from some sides, each time by other points. */
+/** \brief A body with bumps, as it is seen from some sides, each time by other points.
+ */
 class Body {
 public:
   explicit Body(unsigned int seed)

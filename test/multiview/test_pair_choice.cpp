@@ -15,7 +15,8 @@ using namespace pcl::kss;
 
 namespace {
 
-/** A scan with features of its own at random points: the same ones where the seed is. */
+/** A scan with features of its own at random points: the same ones where the seed is.
+ */
 ScanDescription
 scanWith(unsigned int seed)
 {

@@ -65,6 +65,10 @@ apt update
 echo "== The tool"
 library=$(cd "$root/tmp" && echo libpcl-kss-icp[0-9]*.deb)
 library=${library%%_*}
+libraries=("$library") # all that there are: many scans may go without
+for file in "$root"/tmp/libpcl-kss-icp-multiview*.deb; do
+  [ ! -e "$file" ] || libraries+=("$(basename "${file%%_*}")")
+done
 apt satisfy "$(needs "$library" pcl-kss-icp)"
 files > "$root/tmp/before.txt"
 mapfile -t debs < <(packages "$library" pcl-kss-icp)
@@ -88,22 +92,40 @@ apt install "${debs[@]}"
 goes purge pcl-kss-icp "$library"
 
 echo "== Programs that use the library"
-apt satisfy "$(needs "$library" libpcl-kss-icp-dev), g++, cmake, make, pkg-config"
+apt satisfy "$(needs "${libraries[@]}" libpcl-kss-icp-dev), g++, cmake, make, pkg-config"
 files > "$root/tmp/before.txt"
-mapfile -t debs < <(packages "$library" libpcl-kss-icp-dev)
+mapfile -t debs < <(packages "${libraries[@]}" libpcl-kss-icp-dev)
 apt install "${debs[@]}"
 rm -rf "$root/tmp/consumer" "$root/tmp/build"
 mkdir "$root/tmp/consumer"
-cp "$here/CMakeLists.txt" "$here/consumer.cpp" "$root/tmp/consumer"
+cp "$here/CMakeLists.txt" "$here"/*.cpp "$root/tmp/consumer"
 inside cmake -S /tmp/consumer -B /tmp/build -DCMAKE_BUILD_TYPE=Release > "$root/tmp/cmake.log" 2>&1 ||
   { cat "$root/tmp/cmake.log"; fail "find_package()"; }
 inside cmake --build /tmp/build > /dev/null
 inside /tmp/build/consumer > /dev/null || fail "the program that CMake has built"
+[ "${#libraries[@]}" -eq 1 ] || inside /tmp/build/many_scans > /dev/null ||
+  fail "the program with many scans"
 # shellcheck disable=SC2016 # expanded inside
 inside sh -c 'g++ -std=c++17 -O1 /tmp/consumer/consumer.cpp -o /tmp/consumer/program \
   $(pkg-config --cflags --libs pcl_kss_icp)'
 inside /tmp/consumer/program > /dev/null || fail "the program that pkg-config helped to build"
-goes purge libpcl-kss-icp-dev "$library"
+goes purge libpcl-kss-icp-dev "${libraries[@]}"
+
+if ls "$root"/tmp/pcl-kss-icp-batch_*.deb > /dev/null 2>&1; then
+  echo "== Many pairs, many scans"
+  apt satisfy "$(needs "${libraries[@]}" pcl-kss-icp-batch)"
+  files > "$root/tmp/before.txt"
+  mapfile -t debs < <(packages "${libraries[@]}" pcl-kss-icp-batch)
+  apt install "${debs[@]}"
+  printf '%s\n' source,target /tmp/source.xyz,/tmp/target.xyz > "$root/tmp/pairs.csv"
+  inside pcl_kss_icp_batch /tmp/pairs.csv --out /tmp/pairs --quiet || fail "many pairs"
+  if [ "${#libraries[@]}" -gt 1 ]; then
+    awk '{ print -$2, $1, $3 }' "$root/tmp/source.xyz" > "$root/tmp/turned.xyz"
+    inside pcl_kss_icp_multiview /tmp/source.xyz /tmp/turned.xyz --out /tmp/scans --quiet ||
+      fail "many scans"
+  fi
+  goes purge pcl-kss-icp-batch "${libraries[@]}"
+fi
 
 if ls "$root"/tmp/pcl-kss-icp-view_*.deb > /dev/null 2>&1; then
   echo "== The viewer"

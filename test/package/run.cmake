@@ -2,6 +2,7 @@
 # project that finds it there, by find_package() and by pkg-config. Removes it in the end.
 #
 #   cmake -DBUILD=<build tree> -DCONFIG=<configuration> -DWORK=<scratch> -P run.cmake
+#     WITH_MANY_SCANS   whether the library for many scans is installed, too
 
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
@@ -53,6 +54,12 @@ foreach(flags IN LISTS programs)
   find_program(consumer consumer
     PATHS ${build} ${build}/${CONFIG} NO_DEFAULT_PATH REQUIRED)
   run(${consumer})
+  if(WITH_MANY_SCANS)
+    unset(many_scans CACHE)
+    find_program(many_scans many_scans
+      PATHS ${build} ${build}/${CONFIG} NO_DEFAULT_PATH REQUIRED)
+    run(${many_scans})
+  endif()
 endforeach()
 
 find_program(pkg_config NAMES pkg-config pkgconf)

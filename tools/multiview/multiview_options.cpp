@@ -40,8 +40,8 @@ groupsOfOptions()
   // clang-format off
   files.add_options()
     ("out", word("DIR"), "the folder of the results, which is made where there is none")
-    ("spacing", word("LENGTH"), "thin merged clouds: one point in each cube of that edge "
-     "(default 0: all points)")
+    ("spacing", word("LENGTH"), "thin merged clouds: one point in each cube of that "
+     "edge (default 0: all points)")
     ("restart", "begin anew instead of going on with what is in DIR");
   scans.add_options()
     ("all-pairs", word("N"), "try all pairs of up to N scans (default 25)")
@@ -52,8 +52,8 @@ groupsOfOptions()
     ("no-refinement", "do not refine the poses of all scans jointly")
     ("memory", word("MB"), "what may be kept of scans in each process (default 2000)");
   others.add_options()
-    ("threads", word("N"), "pairs that each process does at a time, one thread for each "
-     "(default: as many as there are cores for it)")
+    ("threads", word("N"), "pairs that each process does at a time, one thread for "
+     "each (default: as many as there are cores for it)")
     ("quiet", "no output but files and errors")
     ("version", "show the version")
     ("help,h", "show this help (-h)");

@@ -10,8 +10,8 @@
 
 namespace tool {
 
-/** \brief What is done with scans, as a line of text: the same task gives the same line,
- * and the numbers that are read are those that were written. */
+/** \brief What is done with scans, as a line of text: the same task gives the same
+ * line, and the numbers that are read are those that were written. */
 std::string
 jobOf(const pcl::kss::ScanTask& task);
 

@@ -23,9 +23,9 @@ namespace registration {
 /** \brief @b KSSMultiview finds the poses of many scans, without any to begin with.
  *
  * Pairs of scans are registered by KSS-ICP; loops of pairs tell right ones from wrong
- * ones; scans that right ones connect form a group, and their poses are refined jointly,
- * by the points of all overlapping pairs at once. Scans that nothing connects are told
- * apart: each group has a frame of its own, that of its first scan.
+ * ones; scans that right ones connect form a group, and their poses are refined
+ * jointly, by the points of all overlapping pairs at once. Scans that nothing connects
+ * are told apart: each group has a frame of its own, that of its first scan.
  * \code
  * pcl::registration::KSSMultiview<pcl::PointXYZ> multiview;
  * for (const auto& scan : scans)
@@ -42,9 +42,12 @@ namespace registration {
 template <typename PointT>
 class KSSMultiview {
 public:
+  /** \brief As PCL's classes name them; poses are double, whatever the points are. */
+  /** \{ */
   using PointCloud = pcl::PointCloud<PointT>;
   using PointCloudConstPtr = typename PointCloud::ConstPtr;
   using Matrix4 = Eigen::Matrix4d;
+  /** \} */
 
   /** \brief Add a scan. Its points that are not finite are left out; its normals are
    * gone by, where it has some.
@@ -59,8 +62,8 @@ public:
   clear();
 
   /** \brief Set how pairs are registered: see kss::Settings. The scale is known, pairs
-   * run in one thread each, and Settings::threads is how many run at once. Where a value
-   * is out of bounds, the former one stays, which is told as an error.
+   * run in one thread each, and Settings::threads is how many run at once. Where a
+   * value is out of bounds, the former one stays, which is told as an error.
    */
   void
   setSettings(const kss::Settings& settings);

@@ -130,8 +130,8 @@ public:
         const std::optional<double>& guessed_scale,
         Stages& stages);
 
-  /** \brief A cloud made ready for any number of alignments, by whatever object with the
-   * same settings. */
+  /** \brief A cloud made ready for any number of alignments, by whatever object with
+   * the same settings. */
   std::shared_ptr<const PreparedCloud>
   prepared(const LocalCloud& cloud) const;
 

@@ -108,8 +108,8 @@ public:
         Thoroughness thoroughness = Thoroughness::USUAL);
 
   /** \brief One step of ICP, of all points that match at a pose.
-   * \return where it leads, and how precise that is; no alternatives, and a failure only
-   * where the clouds determine no pose
+   * \return where it leads, and how precise that is; no alternatives, and a failure
+   * only where the clouds determine no pose
    */
   Registered
   step(const PreparedScan& source, const PreparedScan& target, const StoredPose& pose);

@@ -68,7 +68,9 @@ struct PairResult {
 
 /** \brief A pair of scans in the graph. */
 struct GraphPair {
+  /** \brief What its registration has come to. */
   PairResult result;
+  /** \brief What it is to the model. */
   PairVerdict verdict = PairVerdict::REFUSED;
   /** \brief Which of its poses the model goes by, where it is kept. */
   std::size_t pose = 0;

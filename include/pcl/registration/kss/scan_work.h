@@ -21,36 +21,43 @@ namespace kss {
 
 /** \brief A scan, and a pose that takes it to a frame that others are in, too. */
 struct PlacedScan {
+  /** \brief Its number. */
   std::size_t scan = 0;
+  /** \brief Maps it to that frame. */
   StoredPose pose = StoredPose::Identity();
 };
 
 /** \brief A piece of work. */
 struct ScanTask {
+  /** \brief What is done with the source, the target, or both. */
   enum class Kind {
-    DESCRIBE, ///< what the scan \ref source is like
-    REGISTER, ///< register \ref source and \ref target without a guess
+    DESCRIBE, ///< what the source is like
+    REGISTER, ///< register the source and the target without a guess
     TRY,      ///< the same, but quickly: see Thoroughness
-    CONNECT,  ///< register the points of all scans of \ref source_group with those of
-              ///< \ref target_group
-    STEP      ///< where one step of ICP leads from \ref pose, and how precise that is
+    CONNECT,  ///< register the points of all scans of the source's group with those of
+              ///< the target's
+    STEP      ///< where one step of ICP leads from the pose, and how precise that is
   };
 
-  Kind kind = Kind::DESCRIBE;
-  std::size_t source = 0, target = 0;
+  Kind kind = Kind::DESCRIBE; ///< what is to be done
+  std::size_t source = 0;     ///< the number of a scan
+  std::size_t target = 0;     ///< the number of another one
   /** \brief A pose of the source on the target. */
   StoredPose pose = StoredPose::Identity();
-  std::vector<PlacedScan> source_group, target_group;
+  std::vector<PlacedScan> source_group; ///< all scans of the source's group
+  std::vector<PlacedScan> target_group; ///< all scans of the target's group
   /** \brief Whether the scale between the two groups is unknown. */
   bool estimates_scale = false;
 };
 
 /** \brief What a scan is like. */
 struct ScanDescription {
+  /** \brief The mean of its points. */
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   /** \brief The covariance of its points. */
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  /** \brief Points of it, a few hundred, that cover it evenly, relative to the centroid.
+  /** \brief Points of it, a few hundred, that cover it evenly, relative to the
+   * centroid.
    */
   Eigen::Matrix3Xf outline;
   /** \brief How far neighbouring points of the outline are apart, and how far the
@@ -62,8 +69,8 @@ struct ScanDescription {
    * is turned: a column for each of them within 2^octave, and then a column for each
    * within half of that. In whole parts of 1 / feature_one. */
   Eigen::MatrixXf features;
+  int octave = 0; ///< see \ref features
   static constexpr float feature_one = 255.0f;
-  int octave = 0;
   std::size_t far_points = 0; ///< points that are too far away from the others
 };
 
