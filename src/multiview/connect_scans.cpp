@@ -27,12 +27,17 @@ namespace {
  * say about their poses. */
 constexpr double enough_overlap = 0.2;
 
+/** Each scan fits so many others, about; and of the pairs that confidences were fitted
+ * on, three fit for two that do not: the logarithm of that. */
+constexpr double partners_that_fit = 4.0, usual_log_odds = 0.4;
+
 /** So many pairs that are as sure as they say are assumed beside those that there are;
  * and less than this changes nothing. */
 constexpr double few = 3.0, least_shift = 0.2;
 
-/** Loops cope with wrong pairs unless more of the sure ones disagree than agree. */
-constexpr double most_disagree = 0.5;
+/** Loops cope with wrong pairs as long as so much of those that are sure agrees; of
+ * rooms that fit on each other less does, one upon the other though they lie. */
+constexpr double least_agreeing = 0.45;
 
 /** Each scan is to have so many pairs that agree with the model, as far as there are
  * others that it overlaps by so much of both. */
@@ -194,7 +199,8 @@ private:
       if (!pair.poses.empty())
         tried.push_back(scans);
     }
-    double shift = 0.0;
+    const double base = baseShift(tried.size());
+    double shift = base;
     for (int round = 0; round < most_rounds; ++round) {
       const std::vector<PoseCandidate> candidates = candidatesOf(pairs, shift);
       Consensus consensus = consensusOf(scans_, candidates, tried);
@@ -202,11 +208,22 @@ private:
       groups_ = std::move(consensus.groups);
       for (const PlacedGroup& group : groups_)
         solvePoses(scans_, group, linksOf(group, candidates), poses_);
-      const double shown = shiftOfAgreement(pairs);
+      const double shown = base + shiftOfAgreement(pairs);
       if (shown > shift - least_shift)
         return;
       shift = shown;
     }
+  }
+
+  /** Confidences were fitted on pairs most of which fit. Of many scans each fits a few
+   * others: the more pairs there are for each, the fewer of them are right. */
+  double
+  baseShift(std::size_t tried) const
+  {
+    const double right = partners_that_fit / 2.0 * static_cast<double>(usable().size());
+    const double others = static_cast<double>(tried) - right;
+    return others <= 0.0 ? 0.0
+                         : std::min(0.0, std::log(right / others) - usual_log_odds);
   }
 
   /** By how much the odds of pairs have to change, as a logarithm, for as many of those
@@ -232,7 +249,7 @@ private:
     // a few that are as expected: one or two pairs prove nothing
     const double usual = expected / accepted;
     const double share = (agreeing + few * usual) / (accepted + few);
-    return share < most_disagree ? logOdds(share) - logOdds(usual) : 0.0;
+    return share < least_agreeing ? logOdds(share) - logOdds(usual) : 0.0;
   }
 
   Eigen::Matrix4d

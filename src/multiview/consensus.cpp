@@ -25,7 +25,7 @@ constexpr double chance = 0.05;
 /** Pairs of what is built alike, such as the sides of a square, are wrong in the same
  * way, all of them: they agree, but are unsure. Those less probable than the first say
  * nothing to each other, those more probable than the second all that they have to. */
-constexpr double unsure = 0.3, sure = 0.6;
+constexpr double unsure = 0.2, sure = 0.4;
 
 /** Two scans that lie on each other by so much of both are found, but for one in three:
  * the logarithm of that. */
@@ -47,12 +47,10 @@ class Uniter {
 public:
   Uniter(const std::vector<ScanDescription>& scans,
          const std::vector<PoseCandidate>& candidates,
-         const std::vector<ScanPair>& tried,
-         double prior)
+         const std::vector<ScanPair>& tried)
   : scans_(scans)
   , candidates_(candidates)
   , tried_(tried)
-  , prior_(prior)
   , group_of_(scans.size())
   , groups_(scans.size())
   , poses_(scans.size(), StoredPose::Identity())
@@ -148,7 +146,7 @@ private:
     for (const std::size_t own : those) {
       GroupAlignment alignment;
       alignment.transformation = alignmentBy(candidates_[own], groups);
-      alignment.odds = logOdds(candidates_[own].probability) + prior_;
+      alignment.odds = logOdds(candidates_[own].probability);
       std::map<std::size_t, double> others; // pairs that agree
       for (const std::size_t other : those)
         if (const PoseCandidate& candidate = candidates_[other];
@@ -175,7 +173,7 @@ private:
         rival = std::max(rival, alignments[i].odds);
     for (const Detour& detour : detours)
       if (!agrees(detour, best->transformation))
-        rival = std::max(rival, logOdds(detour.probability) + prior_);
+        rival = std::max(rival, logOdds(detour.probability));
     result.odds -= std::log1p(std::exp(rival));
     return result;
   }
@@ -262,7 +260,8 @@ private:
           detour.scan = group_of_[candidates_[b].source] == groups.second
                             ? candidates_[b].source
                             : candidates_[b].target;
-          detour.probability = candidates_[a].probability * candidates_[b].probability;
+          detour.probability =
+              std::min(candidates_[a].probability, candidates_[b].probability);
           detour.transformation =
               oriented(alignmentBy(candidates_[a], one), one.first == groups.first) *
               oriented(alignmentBy(candidates_[b], other), other.first == third);
@@ -357,7 +356,6 @@ private:
   const std::vector<ScanDescription>& scans_;
   const std::vector<PoseCandidate>& candidates_;
   const std::vector<ScanPair>& tried_;
-  double prior_;
   std::vector<std::size_t> group_of_;
   std::vector<PlacedGroup> groups_;
   std::vector<StoredPose> poses_;
@@ -367,17 +365,6 @@ private:
   std::map<GroupPair, GroupAlignment> alignments_;
 };
 
-/** The logarithm of the odds that a pair of scans that has been tried is a right one,
- * where each scan needs one about; not above even, which confidences go by. Half of it:
- * they were fitted on clouds of which many do not fit, too. */
-double
-priorOf(std::size_t scans, std::size_t pairs)
-{
-  const double needed = static_cast<double>(std::max<std::size_t>(scans, 2) - 1);
-  const double others = static_cast<double>(pairs) - needed;
-  return others <= needed ? 0.0 : 0.5 * std::log(needed / others);
-}
-
 } // namespace
 
 Consensus
@@ -385,7 +372,7 @@ consensusOf(const std::vector<ScanDescription>& scans,
             const std::vector<PoseCandidate>& candidates,
             const std::vector<ScanPair>& tried)
 {
-  Uniter uniter(scans, candidates, tried, priorOf(scans.size(), tried.size()));
+  Uniter uniter(scans, candidates, tried);
   uniter.run();
   return uniter.consensus();
 }

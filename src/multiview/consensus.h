@@ -34,14 +34,13 @@ constexpr double agreeing_share = 0.1;
  *
  * Groups are united two by two, those first whose alignment is most probable. What
  * speaks for one are the pairs between the two groups, and the ways by a third one,
- * that agree with it: each of them closes a loop, and a wrong pose would have to be wrong in
- * the same way, by chance. Against it speak other alignments, as much as they have for
- * them.
+ * that agree with it: each of them closes a loop, and a wrong pose would have to be
+ * wrong in the same way, by chance. Against it speak other alignments, as much as they
+ * have for them, and pairs that would have been found if they lay on each other as it
+ * says.
  * \param[in] scans descriptions; of those that cannot be used, empty ones
  * \param[in] candidates of all pairs
- * \param[in] tried the pairs that have been registered: the more there are for each
- * scan, the fewer of them can be right, and the surer one has to be that nothing agrees
- * with
+ * \param[in] tried the pairs that have been registered
  */
 Consensus
 consensusOf(const std::vector<ScanDescription>& scans,
