@@ -139,6 +139,22 @@ TEST_F(MultiviewFiles, PosesKeepAllDigits)
   EXPECT_TRUE(poses["complete"]);
 }
 
+TEST_F(MultiviewFiles, LinksOfGroupsCountFromOne)
+{
+  EXPECT_EQ(json::array(), json::parse(posesText(model_, names_))["links"]);
+  pcl::kss::GroupLink link;
+  link.source = 1;
+  link.transformation *= 2.0;
+  link.confidence = 0.75;
+  model_.result.links = {link};
+  const json links = json::parse(posesText(model_, names_))["links"];
+  ASSERT_EQ(1u, links.size());
+  EXPECT_EQ(2, links[0]["source"]);
+  EXPECT_EQ(1, links[0]["target"]);
+  EXPECT_EQ(Eigen::MatrixXd(link.transformation), matrixOf(links[0]["transformation"]));
+  EXPECT_EQ(0.75, links[0]["confidence"]);
+}
+
 TEST_F(MultiviewFiles, GraphHasThePoseThatTheModelGoesBy)
 {
   auto& pair = model_.result.pairs.front(); // scan 2 on scan 1, kept

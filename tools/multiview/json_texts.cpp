@@ -47,16 +47,13 @@ JSON
 toJSON(const kss::GraphPair& pair, const std::vector<std::string>& files)
 {
   const auto& result = pair.result;
-  JSON json{{"source", result.source + 1},
-            {"target", result.target + 1},
-            {"source_file", files[result.source]},
-            {"target_file", files[result.target]},
-            {"verdict", wordOf(pair.verdict)},
-            {"reason", orNull(pair.reason)},
-            {"confidence", result.confidence},
-            {"ambiguous", result.ambiguous},
-            {"loops", pair.loops},
-            {"deviation", pair.deviation}};
+  JSON json{
+      {"source", result.source + 1},         {"target", result.target + 1},
+      {"source_file", files[result.source]}, {"target_file", files[result.target]},
+      {"verdict", wordOf(pair.verdict)},     {"reason", orNull(pair.reason)},
+      {"confidence", result.confidence},     {"ambiguous", result.ambiguous},
+      {"of_groups", result.of_groups},       {"loops", pair.loops},
+      {"deviation", pair.deviation}};
   for (const char* key : {"transformation", "information", "overlap", "score"})
     json[key] = nullptr;
   if (const auto* pose = poseOf(pair))
@@ -102,6 +99,14 @@ posesText(const Model& model, const std::vector<std::string>& names)
     }
     json["groups"].push_back(std::move(entry));
   }
+  json["links"] = JSON::array();
+  for (const pcl::kss::GroupLink& link : model.result.links)
+    json["links"].push_back(
+        {{"source", link.source + 1},
+         {"target", link.target + 1},
+         {"transformation", toJSON(Eigen::MatrixXd(link.transformation))},
+         {"confidence", link.confidence},
+         {"ambiguous", link.ambiguous}});
   json["scans"] = JSON::array();
   for (std::size_t i = 0; i < model.result.scans.size(); ++i) {
     const auto& scan = model.result.scans[i];
