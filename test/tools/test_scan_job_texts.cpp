@@ -131,8 +131,12 @@ TEST_F(ScanJobTexts, DescriptionsAreReadAsTheyWereWritten)
     scan.outline.resize(3, columns);
     fill(scan.outline);
     scan.features.resize(columns ? 11 : 0, columns);
-    fill(scan.features);
+    for (Eigen::Index i = 0; i < scan.features.size(); ++i) // whole parts of their unit
+      scan.features.data()[i] =
+          static_cast<float>(i % 256) / ScanDescription::feature_one;
     scan.spacing = number();
+    scan.gap = number();
+    scan.reach = number();
     scan.octave = -3;
     scan.far_points = 12;
     const std::string text = textOf(answer, ScanTask::Kind::DESCRIBE);
@@ -143,6 +147,8 @@ TEST_F(ScanJobTexts, DescriptionsAreReadAsTheyWereWritten)
     expectSame(scan.outline, read.outline);
     expectSame(scan.features, read.features);
     EXPECT_TRUE(same(scan.spacing, read.spacing));
+    EXPECT_TRUE(same(scan.gap, read.gap));
+    EXPECT_TRUE(same(scan.reach, read.reach));
     EXPECT_EQ(scan.octave, read.octave);
     EXPECT_EQ(scan.far_points, read.far_points);
   }
