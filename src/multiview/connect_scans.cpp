@@ -605,9 +605,12 @@ private:
     GraphPair graph;
     graph.result = pair;
     const bool is_accepted = pair.failure.cause == FailureCause::NONE;
-    graph.verdict = is_accepted                                  ? PairVerdict::REJECTED
-                    : pair.failure.cause == FailureCause::NO_FIT ? PairVerdict::REFUSED
-                                                                 : PairVerdict::FAILED;
+    // what says nothing of the scans; those of very different sizes are refused
+    const std::set<FailureCause> troubles = {
+        FailureCause::DEVICE, FailureCause::STOPPED, FailureCause::OTHER};
+    graph.verdict = is_accepted                              ? PairVerdict::REJECTED
+                    : troubles.count(pair.failure.cause) > 0 ? PairVerdict::FAILED
+                                                             : PairVerdict::REFUSED;
     graph.reason = pair.failure.reason;
     if (pair.poses.empty())
       return graph;

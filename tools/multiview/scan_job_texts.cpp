@@ -87,8 +87,8 @@ toJSON(const pcl::kss::ScanDescription& scan)
           {"octave", scan.octave},
           {"features", featuresAsJSON(scan.features)},
           {"far", scan.far_points},
-          {"gap", scan.gap},
-          {"reach", scan.reach}};
+          {"gap", toJSON(scan.gap)},
+          {"reach", toJSON(scan.reach)}};
 }
 
 pcl::kss::ScanDescription
@@ -105,8 +105,8 @@ descriptionFrom(const json& value)
   for (Eigen::Index i = 0; i < scan.features.size(); ++i)
     scan.features.data()[i] = value.at("features").at(i).get<float>() /
                               pcl::kss::ScanDescription::feature_one;
-  scan.gap = value.at("gap");
-  scan.reach = value.at("reach");
+  scan.gap = numberFrom(value.at("gap"));
+  scan.reach = numberFrom(value.at("reach"));
   scan.octave = value.at("octave");
   scan.far_points = value.at("far");
   return scan;
