@@ -60,9 +60,10 @@ struct ScanDescription {
    * centroid.
    */
   Eigen::Matrix3Xf outline;
-  /** \brief How far neighbouring points of the outline are apart, and how far the
-   * farthest one is from the centroid. */
-  double gap = 0.0, reach = 0.0;
+  /** \brief How far neighbouring points of the outline are apart. */
+  double gap = 0.0;
+  /** \brief How far the farthest one of them is from the centroid. */
+  double reach = 0.0;
   /** \brief The usual spacing of its points, as those are that judge. */
   double spacing = 0.0;
   /** \brief What its surface is like around the first points of the outline, however it
@@ -70,6 +71,7 @@ struct ScanDescription {
    * within half of that. In whole parts of 1 / feature_one. */
   Eigen::MatrixXf features;
   int octave = 0; ///< see \ref features
+  /** \brief What the largest number of features is, in their unit. */
   static constexpr float feature_one = 255.0f;
   std::size_t far_points = 0; ///< points that are too far away from the others
 };
