@@ -193,17 +193,16 @@ private:
   place()
   {
     std::vector<PairResult> pairs = group_pairs_;
-    std::vector<ScanPair> tried;
+    std::size_t tried = 0;
     for (const auto& [scans, pair] : pairs_) {
       pairs.push_back(pair);
-      if (!pair.poses.empty())
-        tried.push_back(scans);
+      tried += pair.poses.empty() ? 0 : 1;
     }
-    const double base = baseShift(tried.size());
+    const double base = baseShift(tried);
     double shift = base;
     for (int round = 0; round < most_rounds; ++round) {
       const std::vector<PoseCandidate> candidates = candidatesOf(pairs, shift);
-      Consensus consensus = consensusOf(scans_, candidates, tried);
+      Consensus consensus = consensusOf(scans_, candidates);
       poses_ = std::move(consensus.poses);
       groups_ = std::move(consensus.groups);
       for (const PlacedGroup& group : groups_)

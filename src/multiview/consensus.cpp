@@ -27,10 +27,6 @@ constexpr double chance = 0.05;
  * nothing to each other, those more probable than the second all that they have to. */
 constexpr double unsure = 0.2, sure = 0.4;
 
-/** Two scans that lie on each other by so much of both are found, but for one in three:
- * the logarithm of that. */
-constexpr double plain_overlap = 0.7, miss = 1.1;
-
 /** A way by a third group goes by so many candidates to it, and from it. */
 constexpr std::size_t most_of_detours = 4;
 
@@ -46,11 +42,9 @@ struct GroupAlignment {
 class Uniter {
 public:
   Uniter(const std::vector<ScanDescription>& scans,
-         const std::vector<PoseCandidate>& candidates,
-         const std::vector<ScanPair>& tried)
+         const std::vector<PoseCandidate>& candidates)
   : scans_(scans)
   , candidates_(candidates)
-  , tried_(tried)
   , group_of_(scans.size())
   , groups_(scans.size())
   , poses_(scans.size(), StoredPose::Identity())
@@ -178,64 +172,6 @@ private:
     return result;
   }
 
-  /** Of the most probable alignments, take into account which pairs should have been
-   * found, and were not. */
-  void
-  subtractMisses(const GroupPair& groups,
-                 const std::vector<std::size_t>& those,
-                 std::vector<GroupAlignment>& alignments) const
-  {
-    std::vector<std::size_t> order(alignments.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return alignments[a].odds > alignments[b].odds;
-    });
-    // those that say the same as one before them share its misses
-    std::vector<std::pair<std::size_t, double>> distinct;
-    for (const std::size_t a : order) {
-      const auto same =
-          std::find_if(distinct.begin(), distinct.end(), [&](const auto& other) {
-            return agrees(candidates_[those[a]], groups,
-                          alignments[other.first].transformation);
-          });
-      if (same != distinct.end()) {
-        alignments[a].odds -= same->second;
-        continue;
-      }
-      if (distinct.size() == most_of_detours)
-        continue;
-      const double misses =
-          miss * static_cast<double>(missesOf(groups, those, alignments[a]));
-      alignments[a].odds -= misses;
-      distinct.emplace_back(a, misses);
-    }
-  }
-
-  /** How many of the pairs between two groups that have been tried would lie on each
-   * other at an alignment, and have no pose there. */
-  std::size_t
-  missesOf(const GroupPair& groups,
-           const std::vector<std::size_t>& those,
-           const GroupAlignment& alignment) const
-  {
-    std::set<ScanPair> found;
-    for (const std::size_t c : those)
-      if (agrees(candidates_[c], groups, alignment.transformation))
-        found.insert(std::minmax(candidates_[c].source, candidates_[c].target));
-    std::size_t misses = 0;
-    for (const auto& [a, b] : tried_) {
-      if (ordered(group_of_[a], group_of_[b]) != groups || found.count({a, b}))
-        continue;
-      const std::size_t source = group_of_[a] == groups.second ? a : b;
-      const std::size_t target = source == a ? b : a;
-      const Eigen::Matrix4d pose = inverted(poses_[target]) * alignment.transformation *
-                                   Eigen::Matrix4d(poses_[source]);
-      if (expectedOverlap(scans_[source], scans_[target], pose).least >= plain_overlap)
-        ++misses;
-    }
-    return misses;
-  }
-
   /** A way from the second of two groups to the first by a third one. */
   struct Detour {
     std::size_t third = 0;
@@ -355,7 +291,6 @@ private:
 
   const std::vector<ScanDescription>& scans_;
   const std::vector<PoseCandidate>& candidates_;
-  const std::vector<ScanPair>& tried_;
   std::vector<std::size_t> group_of_;
   std::vector<PlacedGroup> groups_;
   std::vector<StoredPose> poses_;
@@ -369,10 +304,9 @@ private:
 
 Consensus
 consensusOf(const std::vector<ScanDescription>& scans,
-            const std::vector<PoseCandidate>& candidates,
-            const std::vector<ScanPair>& tried)
+            const std::vector<PoseCandidate>& candidates)
 {
-  Uniter uniter(scans, candidates, tried);
+  Uniter uniter(scans, candidates);
   uniter.run();
   return uniter.consensus();
 }

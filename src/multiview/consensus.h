@@ -7,7 +7,6 @@
 #include <pcl/registration/kss/scan_work.h>
 
 #include "multiview/candidates_of_pairs.h"
-#include "multiview/pair_choice.h"
 
 #include <cstddef>
 #include <vector>
@@ -36,16 +35,13 @@ constexpr double agreeing_share = 0.1;
  * speaks for one are the pairs between the two groups, and the ways by a third one,
  * that agree with it: each of them closes a loop, and a wrong pose would have to be
  * wrong in the same way, by chance. Against it speak other alignments, as much as they
- * have for them, and pairs that would have been found if they lay on each other as it
- * says.
+ * have for them.
  * \param[in] scans descriptions; of those that cannot be used, empty ones
  * \param[in] candidates of all pairs
- * \param[in] tried the pairs that have been registered
  */
 Consensus
 consensusOf(const std::vector<ScanDescription>& scans,
-            const std::vector<PoseCandidate>& candidates,
-            const std::vector<ScanPair>& tried);
+            const std::vector<PoseCandidate>& candidates);
 
 } // namespace kss
 } // namespace pcl

@@ -16,10 +16,7 @@ using Groups = std::vector<PlacedGroup>;
 Consensus
 consensusOf(const made_up::Scans& scans)
 {
-  std::vector<ScanPair> tried;
-  for (const PoseCandidate& candidate : scans.candidates)
-    tried.emplace_back(std::minmax(candidate.source, candidate.target));
-  return consensusOf(scans.descriptions, scans.candidates, tried);
+  return consensusOf(scans.descriptions, scans.candidates);
 }
 
 TEST(Consensus, UnitesWhatPairsConnect)
