@@ -27,19 +27,17 @@ constexpr std::size_t outline_points = 400;
 /** The first ones of them show what its surface is like. */
 constexpr std::size_t described_points = 256;
 
-/** How far neighbouring points are apart: the median. */
+/** How far neighbouring points are apart, usually. */
 double
 gapOf(const Points& points)
 {
-  std::vector<float> squared;
+  Eigen::VectorXf squared(points.cols());
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     Eigen::RowVectorXf all = (points.colwise() - points.col(i)).colwise().squaredNorm();
     all[i] = std::numeric_limits<float>::max();
-    squared.push_back(all.minCoeff());
+    squared[i] = all.minCoeff();
   }
-  const auto middle = squared.begin() + squared.size() / 2;
-  std::nth_element(squared.begin(), middle, squared.end());
-  return std::sqrt(*middle);
+  return std::sqrt(median(squared));
 }
 
 } // namespace

@@ -20,29 +20,15 @@ namespace po = boost::program_options;
 std::vector<OptionGroup>
 groupsOfOptions()
 {
-  const auto word = [](const char* name) {
-    return po::value<std::string>()->value_name(name);
-  };
-  po::options_description files, settings, others;
-  // clang-format off
-  files.add_options()
-    ("out", word("DIR"), "the folder of the results, which is made where there is none")
-    ("restart", "begin anew instead of going on with what is in DIR");
-  others.add_options()
-    ("threads", word("N"), "pairs that each process does at a time, one thread for "
-     "each (default: as many as there are cores for it)")
-    ("quiet", "no output but files and errors")
-    ("version", "show the version")
-    ("help,h", "show this help (-h)");
-  // clang-format on
+  po::options_description settings;
   const po::options_description usual = registrationOptions();
   for (const auto& option : usual.options())
     if (option->long_name() != "threads")
       settings.add(option);
-  return {{"Files", files},
+  return {{"Files", folderOptions()},
           {"Settings", settings},
           {"Settings for experts", settingOptions(Users::EXPERTS)},
-          {"Others", others}};
+          {"Others", otherJobOptions()}};
 }
 
 } // namespace
@@ -52,15 +38,8 @@ parseBatchOptions(int argc, const char* const* argv)
 {
   const po::variables_map values = valuesOf(groupsOfOptions(), argc, argv);
   BatchOptions options;
-  if (values.count("help"))
-    options.action = BatchOptions::Action::SHOW_HELP;
-  else if (values.count("version"))
-    options.action = BatchOptions::Action::SHOW_VERSION;
-  if (options.action != BatchOptions::Action::REGISTER)
+  if (!readJobOptions(values, options))
     return options;
-  readRegistrationOptions(values, options.how);
-  options.threads = options.how.settings.threads;
-  options.how.settings.threads = 1;
 
   const std::vector<std::string> files = filesOf(values);
   if (files.size() != 1 || files.front().empty())
@@ -68,12 +47,7 @@ parseBatchOptions(int argc, const char* const* argv)
                              std::to_string(files.size()) +
                              " files; --help shows an example");
   options.manifest = files.front();
-  options.folder = fileName(values, "out");
-  if (options.folder.empty())
-    throw std::runtime_error(
-        "needs --out DIR for the results; --help shows an example");
-  options.restart = values.count("restart") > 0;
-  options.quiet = values.count("quiet") > 0;
+  options.folder = folderOf(values);
   return options;
 }
 

@@ -5,16 +5,12 @@
 #include "batch.h"
 #include "batch_options.h"
 #include "command_line/device_list.h"
+#include "command_line/program.h"
 #include "command_line/signals.h"
 #include "crew/processes.h"
 #include "pair_answer.h"
 
-#include <pcl/console/print.h>
-
-#include <exception>
-#include <iostream>
-#include <new>
-#include <optional>
+#include <memory>
 
 /** \file
  * Registers many pairs of files, in threads and, under mpirun, in several processes.
@@ -24,13 +20,7 @@ namespace {
 
 using namespace tool;
 
-constexpr int SUCCESS = 0, NOT_ALL_REGISTERED = 1, FAILED = 2;
-
-void
-complain(const std::string& message)
-{
-  std::cerr << "pcl_kss_icp_batch: " << message << '\n';
-}
+constexpr const char* PROGRAM = "pcl_kss_icp_batch";
 
 int
 registerPairs(const BatchOptions& options, const Processes& processes)
@@ -48,28 +38,7 @@ registerPairs(const BatchOptions& options, const Processes& processes)
   checkDevice(options.how.settings.device);
   Batch batch(options);
   batch.run(*crew);
-  return batch.conclude() ? SUCCESS : NOT_ALL_REGISTERED;
-}
-
-int
-run(int argc, char** argv, const Processes& processes)
-{
-  std::optional<BatchOptions> options;
-  try {
-    options = parseBatchOptions(argc, argv);
-  }
-  catch (const std::exception& problem) {
-    if (processes.leads()) // one speaks for all
-      complain(problem.what());
-    return FAILED;
-  }
-  if (options->action == BatchOptions::Action::REGISTER)
-    return registerPairs(*options, processes);
-  if (processes.leads())
-    std::cout << (options->action == BatchOptions::Action::SHOW_HELP
-                      ? batchHelpText()
-                      : "pcl_kss_icp_batch " PCL_KSS_ICP_VERSION "\n");
-  return SUCCESS;
+  return batch.conclude() ? SUCCESS : NOT_ALL;
 }
 
 } // namespace
@@ -77,21 +46,12 @@ run(int argc, char** argv, const Processes& processes)
 int
 main(int argc, char** argv)
 {
-  // All that PCL has to say about files and registrations is said in the results.
-  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-  try {
+  return guarded(PROGRAM, [&] {
     const Processes processes;
-    endCleanlyOnSignals(processes.leads() ? "pcl_kss_icp_batch" : nullptr);
-    const int status = run(argc, argv, processes);
-    if (!std::cout.flush())
-      throw std::runtime_error("cannot write to standard output");
-    return status;
-  }
-  catch (const std::bad_alloc&) {
-    complain("needs more memory than there is");
-  }
-  catch (const std::exception& problem) {
-    complain(problem.what());
-  }
-  return FAILED;
+    endCleanlyOnSignals(processes.leads() ? PROGRAM : nullptr);
+    return runAsAsked<BatchOptions>(
+        PROGRAM, processes.leads(), [&] { return parseBatchOptions(argc, argv); },
+        batchHelpText,
+        [&](const BatchOptions& options) { return registerPairs(options, processes); });
+  });
 }

@@ -67,6 +67,17 @@ wordsOf(int argc, const char* const* argv)
 
 } // namespace
 
+void
+addProgramOptions(po::options_description& options)
+{
+  // clang-format off
+  options.add_options()
+    ("quiet", "no output but files and errors")
+    ("version", "show the version")
+    ("help,h", "show this help (-h)");
+  // clang-format on
+}
+
 po::variables_map
 valuesOf(const std::vector<OptionGroup>& groups, int argc, const char* const* argv)
 {

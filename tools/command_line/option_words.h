@@ -24,6 +24,10 @@ struct OptionGroup {
   boost::program_options::options_description options = {};
 };
 
+/** \brief Add what all programs have: --quiet, --version, --help. */
+void
+addProgramOptions(boost::program_options::options_description& options);
+
 /** \brief The words of a command line: options, each of them a word, and files.
  * \throws std::exception naming what is wrong
  */

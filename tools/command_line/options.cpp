@@ -41,11 +41,9 @@ groupsOfOptions()
      "well the nearest to it is taken");
   others.add_options()
     ("view", "show the clouds and the poses in a window, also if not registered")
-    ("list-devices", "list the OpenCL devices, and mark those that would be used")
-    ("quiet", "no output but files and errors")
-    ("version", "show the version")
-    ("help,h", "show this help (-h)");
+    ("list-devices", "list the OpenCL devices, and mark those that would be used");
   // clang-format on
+  addProgramOptions(others);
   return {{"Files", files},
           {"Settings", registrationOptions()},
           {"Settings for experts", settingOptions(Users::EXPERTS)},

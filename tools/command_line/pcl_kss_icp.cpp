@@ -7,6 +7,7 @@
 #include "io/read_geometry.h"
 #include "options.h"
 #include "outputs.h"
+#include "program.h"
 #include "progress_bar.h"
 #include "registration.h"
 #include "report.h"
@@ -16,12 +17,9 @@
 #include "words.h"
 #include "wrapped.h"
 
-#include <pcl/console/print.h>
-
 #include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <iostream>
 #include <optional>
 #include <utility>
@@ -34,17 +32,7 @@ namespace {
 
 using namespace tool;
 
-constexpr int SUCCESS = 0, NOT_REGISTERED = 1, FAILED = 2;
-
-/** Write a message on one line, whatever it quotes. */
-void
-complain(std::string message)
-{
-  std::replace_if(
-      message.begin(), message.end(), [](unsigned char c) { return std::iscntrl(c); },
-      ' ');
-  std::cerr << "pcl_kss_icp: " << message << '\n';
-}
+constexpr const char* PROGRAM = "pcl_kss_icp";
 
 /** Read a file, with warnings. */
 Geometry
@@ -53,7 +41,7 @@ read(const std::string& path, bool quiet)
   Geometry geometry = readGeometry(path);
   if (!quiet)
     for (const auto& warning : warningsOf(geometry))
-      complain("warning: " + path + ": " + warning);
+      complain(PROGRAM, "warning: " + path + ": " + warning);
   return geometry;
 }
 
@@ -76,9 +64,9 @@ void
 warnOfFarPoints(std::size_t number, const std::string& path)
 {
   if (number > 0)
-    complain("warning: " + path + ": " + std::to_string(number) +
-             (number == 1 ? " point lies" : " points lie") +
-             " far away from all others; the search went without");
+    complain(PROGRAM, "warning: " + path + ": " + std::to_string(number) +
+                          (number == 1 ? " point lies" : " points lie") +
+                          " far away from all others; the search went without");
 }
 
 /** Say what of the source the aligned file does not hold. */
@@ -86,8 +74,9 @@ void
 warnOfLosses(const std::vector<std::string>& losses, const Options& options)
 {
   if (!losses.empty())
-    complain("warning: " + options.aligned + ": does not hold all of " +
-             options.source + "; lost are " + boost::algorithm::join(losses, ", "));
+    complain(PROGRAM, "warning: " + options.aligned + ": does not hold all of " +
+                          options.source + "; lost are " +
+                          boost::algorithm::join(losses, ", "));
 }
 
 /** Tell people the result, and what it means. */
@@ -97,7 +86,7 @@ say(const Result& result,
     const Options& options)
 {
   if (!result.converged) {
-    complain("not registered: " + result.reason);
+    complain(PROGRAM, "not registered: " + result.reason);
     const std::string advice = whatToTry(result, options);
     if (!options.quiet && !advice.empty())
       std::cerr << wrapped(advice, 79, 0) << '\n';
@@ -135,26 +124,17 @@ registerFiles(const Options& options)
     showInWindow(options, report);
   if (result.converged)
     return SUCCESS;
-  return saysNothingOfClouds(result) ? FAILED : NOT_REGISTERED;
+  return saysNothingOfClouds(result) ? FAILED : NOT_ALL;
 }
 
 int
 run(const Options& options)
 {
-  switch (options.action) {
-  case Options::Action::SHOW_HELP:
-    std::cout << helpText();
-    return SUCCESS;
-  case Options::Action::SHOW_VERSION:
-    std::cout << "pcl_kss_icp " PCL_KSS_ICP_VERSION "\n";
-    return SUCCESS;
-  case Options::Action::LIST_DEVICES:
+  if (options.action == Options::Action::LIST_DEVICES) {
     std::cout << deviceList(options.settings);
     return SUCCESS;
-  case Options::Action::REGISTER:
-    return registerFiles(options);
   }
-  return FAILED;
+  return registerFiles(options);
 }
 
 } // namespace
@@ -162,20 +142,9 @@ run(const Options& options)
 int
 main(int argc, char** argv)
 {
-  endCleanlyOnSignals("pcl_kss_icp");
-  // All that PCL has to say about files and registrations is said here, once.
-  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-  try {
-    const int status = run(parseOptions(argc, argv));
-    if (!std::cout.flush())
-      throw std::runtime_error("cannot write to standard output");
-    return status;
-  }
-  catch (const std::bad_alloc&) {
-    complain("needs more memory than there is");
-  }
-  catch (const std::exception& problem) {
-    complain(problem.what());
-  }
-  return FAILED;
+  endCleanlyOnSignals(PROGRAM);
+  return guarded(PROGRAM, [&] {
+    return runAsAsked<Options>(
+        PROGRAM, true, [&] { return parseOptions(argc, argv); }, helpText, run);
+  });
 }

@@ -36,13 +36,11 @@ groupsOfOptions()
   const auto word = [](const char* name) {
     return po::value<std::string>()->value_name(name);
   };
-  po::options_description files, scans, settings, experts, others;
+  po::options_description files = folderOptions(), scans, settings, experts;
   // clang-format off
   files.add_options()
-    ("out", word("DIR"), "the folder of the results, which is made where there is none")
     ("spacing", word("LENGTH"), "thin merged clouds: one point in each cube of that "
-     "edge (default 0: all points)")
-    ("restart", "begin anew instead of going on with what is in DIR");
+     "edge (default 0: all points)");
   scans.add_options()
     ("all-pairs", word("N"), "try all pairs of up to N scans (default 25)")
     ("partners", word("N"), "of more scans, try the N that resemble each most to begin "
@@ -51,12 +49,6 @@ groupsOfOptions()
      "fit each other at another scale")
     ("no-refinement", "do not refine the poses of all scans jointly")
     ("memory", word("MB"), "what may be kept of scans in each process (default 2000)");
-  others.add_options()
-    ("threads", word("N"), "pairs that each process does at a time, one thread for "
-     "each (default: as many as there are cores for it)")
-    ("quiet", "no output but files and errors")
-    ("version", "show the version")
-    ("help,h", "show this help (-h)");
   // clang-format on
   const po::options_description usual = registrationOptions();
   for (const auto& option : usual.options())
@@ -70,7 +62,7 @@ groupsOfOptions()
           {"Scans", scans},
           {"Settings of pairs", settings},
           {"Settings of pairs for experts", experts},
-          {"Others", others}};
+          {"Others", otherJobOptions()}};
 }
 
 } // namespace
@@ -80,15 +72,8 @@ parseMultiviewOptions(int argc, const char* const* argv)
 {
   const po::variables_map values = valuesOf(groupsOfOptions(), argc, argv);
   MultiviewOptions options;
-  if (values.count("help"))
-    options.action = MultiviewOptions::Action::SHOW_HELP;
-  else if (values.count("version"))
-    options.action = MultiviewOptions::Action::SHOW_VERSION;
-  if (options.action != MultiviewOptions::Action::CONNECT)
+  if (!readJobOptions(values, options))
     return options;
-  readRegistrationOptions(values, options.how);
-  options.threads = options.how.settings.threads;
-  options.how.settings.threads = 1;
   options.how.settings.estimate_scale = false;
 
   ifGiven(values, "all-pairs", [&](const auto& value) {
@@ -115,12 +100,7 @@ parseMultiviewOptions(int argc, const char* const* argv)
   if (std::set<std::string>(options.scans.begin(), options.scans.end()).size() <
       options.scans.size())
     throw std::runtime_error("one of the SCANS is there twice; name each once");
-  options.folder = fileName(values, "out");
-  if (options.folder.empty())
-    throw std::runtime_error(
-        "needs --out DIR for the results; --help shows an example");
-  options.restart = values.count("restart") > 0;
-  options.quiet = values.count("quiet") > 0;
+  options.folder = folderOf(values);
   return options;
 }
 

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "command_line/options.h"
+#include "command_line/job_options.h"
 
 #include <pcl/registration/kss/scan_work.h>
 
@@ -15,21 +15,8 @@
 namespace tool {
 
 /** \brief What the command line asks for. */
-struct MultiviewOptions {
-  enum class Action { CONNECT, SHOW_HELP, SHOW_VERSION };
-
-  Action action = Action::CONNECT;
-  /** \brief The scans, and the folder of the results. */
+struct MultiviewOptions : JobOptions {
   std::vector<std::string> scans;
-  std::string folder;
-  /** \brief Whether to begin anew. */
-  bool restart = false;
-  /** \brief No messages but errors. */
-  bool quiet = false;
-  /** \brief Of each process; 0: its share of the cores. */
-  unsigned int threads = 0;
-  /** \brief How each pair is registered, in one thread, and what stands for a mesh. */
-  Options how;
   /** \brief Which pairs are tried. */
   pcl::kss::MultiviewSettings multiview;
   /** \brief The edge of the cubes of which merged clouds have one point each; 0: they

@@ -3,6 +3,7 @@
  */
 
 #include "command_line/device_list.h"
+#include "command_line/program.h"
 #include "command_line/report.h"
 #include "command_line/signals.h"
 #include "crew/processes.h"
@@ -16,17 +17,14 @@
 #include "stage_progress.h"
 #include "summary.h"
 
-#include <pcl/console/print.h>
-
 #include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <new>
-#include <optional>
+#include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,13 +38,7 @@ namespace {
 using namespace tool;
 namespace fs = std::filesystem;
 
-constexpr int SUCCESS = 0, NOT_ALL_CONNECTED = 1, FAILED = 2;
-
-void
-complain(const std::string& message)
-{
-  std::cerr << "pcl_kss_icp_multiview: " << message << '\n';
-}
+constexpr const char* PROGRAM = "pcl_kss_icp_multiview";
 
 /** What the work is about: what was done for another subject is of no use. */
 std::string
@@ -123,7 +115,7 @@ connect(const MultiviewOptions& options, Crew& crew)
   };
   model.samples = options.how.samples;
   model.spacing = options.spacing;
-  model.maker = "pcl_kss_icp_multiview " PCL_KSS_ICP_VERSION;
+  model.maker = std::string(PROGRAM) + " " PCL_KSS_ICP_VERSION;
   model.settings = settingsForPeople(options);
   model.tasks = tasksDone(jobs);
   const std::chrono::duration<double> seconds =
@@ -136,9 +128,8 @@ connect(const MultiviewOptions& options, Crew& crew)
   if (!options.quiet)
     std::cout << modelSummary(model, scanNames(model.files), options.folder);
   const ModelCounts counts = countsOf(model.result);
-  return counts.groups == 1 && counts.alone == 0 && counts.unusable == 0
-             ? SUCCESS
-             : NOT_ALL_CONNECTED;
+  return counts.groups == 1 && counts.alone == 0 && counts.unusable == 0 ? SUCCESS
+                                                                         : NOT_ALL;
 }
 
 int
@@ -161,47 +152,19 @@ connectFiles(const MultiviewOptions& options, const Processes& processes)
   return connect(options, *crew);
 }
 
-int
-run(int argc, char** argv, const Processes& processes)
-{
-  std::optional<MultiviewOptions> options;
-  try {
-    options = parseMultiviewOptions(argc, argv);
-  }
-  catch (const std::exception& problem) {
-    if (processes.leads()) // one speaks for all
-      complain(problem.what());
-    return FAILED;
-  }
-  if (options->action == MultiviewOptions::Action::CONNECT)
-    return connectFiles(*options, processes);
-  if (processes.leads())
-    std::cout << (options->action == MultiviewOptions::Action::SHOW_HELP
-                      ? multiviewHelpText()
-                      : "pcl_kss_icp_multiview " PCL_KSS_ICP_VERSION "\n");
-  return SUCCESS;
-}
-
 } // namespace
 
 int
 main(int argc, char** argv)
 {
-  // All that PCL has to say about files and registrations is said in the results.
-  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-  try {
+  return guarded(PROGRAM, [&] {
     const Processes processes;
-    endCleanlyOnSignals(processes.leads() ? "pcl_kss_icp_multiview" : nullptr);
-    const int status = run(argc, argv, processes);
-    if (!std::cout.flush())
-      throw std::runtime_error("cannot write to standard output");
-    return status;
-  }
-  catch (const std::bad_alloc&) {
-    complain("needs more memory than there is");
-  }
-  catch (const std::exception& problem) {
-    complain(problem.what());
-  }
-  return FAILED;
+    endCleanlyOnSignals(processes.leads() ? PROGRAM : nullptr);
+    return runAsAsked<MultiviewOptions>(
+        PROGRAM, processes.leads(), [&] { return parseMultiviewOptions(argc, argv); },
+        multiviewHelpText,
+        [&](const MultiviewOptions& options) {
+          return connectFiles(options, processes);
+        });
+  });
 }
