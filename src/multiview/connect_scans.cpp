@@ -230,10 +230,7 @@ private:
   double
   shiftOfAgreement(const std::vector<PairResult>& pairs) const
   {
-    std::map<std::size_t, std::size_t> group_of;
-    for (std::size_t g = 0; g < groups_.size(); ++g)
-      for (const std::size_t scan : groups_[g])
-        group_of[scan] = g;
+    const std::vector<std::size_t> group_of = groupOfEach(groups_, scans_.size());
     double accepted = 0.0, expected = 0.0, agreeing = 0.0;
     for (const PairResult& pair : pairs) {
       if (pair.failure.cause != FailureCause::NONE || pair.poses.empty())
@@ -347,14 +344,31 @@ private:
     return pairs;
   }
 
+  /** The pose of a pair that is nearest to where the model has it. */
+  struct NearestPose {
+    std::size_t pose = 0;
+    double deviation = std::numeric_limits<double>::infinity();
+  };
+
+  NearestPose
+  nearestPose(const PairResult& pair) const
+  {
+    NearestPose nearest;
+    for (std::size_t i = 0; i < pair.poses.size(); ++i) {
+      const double deviation =
+          deviationOf(pair.source, pair.target, pair.poses[i].transformation);
+      if (deviation < nearest.deviation)
+        nearest = {i, deviation};
+    }
+    return nearest;
+  }
+
   /** Whether a pose of a pair is where the model has it. */
   bool
   isKept(const PairResult& pair) const
   {
-    return std::any_of(pair.poses.begin(), pair.poses.end(), [&](const PairPose& pose) {
-      return deviationOf(pair.source, pair.target, pose.transformation) <=
-             kept_share * smallerRadius(pair.source, pair.target);
-    });
+    return nearestPose(pair).deviation <=
+           kept_share * smallerRadius(pair.source, pair.target);
   }
 
   /** The scans of a group where they are. */
@@ -365,6 +379,26 @@ private:
     for (const std::size_t scan : group)
       scans.push_back({scan, poses_[scan]});
     return scans;
+  }
+
+  /** Two groups as wholes.
+   * \param[in] source what the answer calls the source
+   * \param[in] target what the answer calls the target */
+  static ScanTask
+  connecting(std::size_t source,
+             std::vector<PlacedScan> source_group,
+             std::size_t target,
+             std::vector<PlacedScan> target_group,
+             bool estimates_scale)
+  {
+    ScanTask task;
+    task.kind = ScanTask::Kind::CONNECT;
+    task.source = source;
+    task.target = target;
+    task.source_group = std::move(source_group);
+    task.target_group = std::move(target_group);
+    task.estimates_scale = estimates_scale;
+    return task;
   }
 
   /** All scans of a group show more than one of them: register groups with those that
@@ -381,13 +415,8 @@ private:
         // of two scans, all has been said
         if (source.size() + target.size() < 3 || !tried.insert({source, target}).second)
           continue;
-        ScanTask task;
-        task.kind = ScanTask::Kind::CONNECT;
-        task.source = source.front();
-        task.target = target.front();
-        task.source_group = placed(source);
-        task.target_group = placed(target);
-        tasks.push_back(std::move(task));
+        tasks.push_back(connecting(source.front(), placed(source), target.front(),
+                                   placed(target), false));
       }
       if (tasks.empty())
         return;
@@ -448,18 +477,10 @@ private:
     };
     std::vector<ScanTask> tasks;
     for (const std::size_t target : asked)
-      for (const std::size_t source : asked) {
-        if (source <= target)
-          continue;
-        ScanTask task;
-        task.kind = ScanTask::Kind::CONNECT;
-        task.source = source;
-        task.target = target;
-        task.source_group = placedIn(source);
-        task.target_group = placedIn(target);
-        task.estimates_scale = true;
-        tasks.push_back(std::move(task));
-      }
+      for (const std::size_t source : asked)
+        if (source > target)
+          tasks.push_back(
+              connecting(source, placedIn(source), target, placedIn(target), true));
     stages_.begin("scales of groups");
     std::vector<GroupLink> links;
     for (const ScanAnswer& answer : work(tasks)) {
@@ -619,22 +640,14 @@ private:
                        "among so many pairs.";
       return graph;
     }
-    graph.deviation = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < pair.poses.size(); ++i) {
-      const double deviation =
-          deviationOf(pair.source, pair.target, pair.poses[i].transformation);
-      if (deviation < graph.deviation) {
-        graph.deviation = deviation;
-        graph.pose = i;
-      }
-    }
-    const double radius = smallerRadius(pair.source, pair.target);
-    if (graph.deviation <= kept_share * radius) {
+    if (isKept(pair)) {
+      const auto [pose, deviation] = nearestPose(pair);
+      graph.pose = pose;
+      graph.deviation = deviation;
       graph.verdict = PairVerdict::KEPT;
       graph.reason.clear();
       return graph;
     }
-    graph.pose = 0;
     graph.deviation =
         deviationOf(pair.source, pair.target, pair.poses.front().transformation);
     if (is_accepted) {
@@ -654,12 +667,11 @@ private:
         groups_.begin(), groups_.end(), [](const PlacedGroup& a, const PlacedGroup& b) {
           return a.size() != b.size() ? a.size() > b.size() : a.front() < b.front();
         });
-    std::vector<std::size_t> group_of(scans_.size());
+    const std::vector<std::size_t> group_of = groupOfEach(groups_, scans_.size());
     model.scans.resize(scans_.size());
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       const Eigen::Matrix4d to_first = inverted(poses_[groups_[g].front()]);
       for (const std::size_t scan : groups_[g]) {
-        group_of[scan] = g;
         model.scans[scan] = {to_first * Eigen::Matrix4d(poses_[scan]), g,
                              scans_[scan].centroid, failures_[scan]};
       }

@@ -43,6 +43,16 @@ mutualMatches(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b)
 
 } // namespace
 
+std::vector<std::size_t>
+groupOfEach(const std::vector<std::vector<std::size_t>>& groups, std::size_t scans)
+{
+  std::vector<std::size_t> group_of(scans);
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (const std::size_t scan : groups[g])
+      group_of[scan] = g;
+  return group_of;
+}
+
 double
 resemblance(const ScanDescription& a, const ScanDescription& b)
 {
@@ -135,10 +145,7 @@ pairsBetween(const Eigen::MatrixXf& resemblances,
              const std::vector<std::vector<std::size_t>>& groups,
              const std::map<ScanPair, PairResult>& tried)
 {
-  std::map<std::size_t, std::size_t> group_of;
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    for (const std::size_t scan : groups[g])
-      group_of[scan] = g;
+  const std::vector<std::size_t> group_of = groupOfEach(groups, resemblances.rows());
   PairsBetween between;
   for (const std::size_t a : usable)
     for (const std::size_t b : usable) {

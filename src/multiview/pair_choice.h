@@ -18,6 +18,10 @@ namespace kss {
 /** \brief Two scans, the lower number first. */
 using ScanPair = std::pair<std::size_t, std::size_t>;
 
+/** \brief The number of the group of each scan. */
+std::vector<std::size_t>
+groupOfEach(const std::vector<std::vector<std::size_t>>& groups, std::size_t scans);
+
 /** \brief The pairs of scans in the order in which they are worth a try: all of them,
  * where there are few scans; otherwise, of each scan, those that resemble it most and
  * those next to it in the order given, as scanners go on from where they are.
