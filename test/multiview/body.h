@@ -75,4 +75,26 @@ private:
   std::vector<Bump> bumps_;
 };
 
+/** \brief A scan, and where it is. */
+struct BodyScan {
+  Eigen::Matrix4d T_scan_body;
+  Eigen::Matrix3Xd points;
+};
+
+/** \brief Scans of two bodies: three of the one and two of the other. */
+inline std::vector<BodyScan>
+scansOfTwoBodies(int size)
+{
+  Body one(1), other(2);
+  std::vector<BodyScan> scans;
+  for (int i = 0; i < 5; ++i) {
+    Body& body = i < 3 ? one : other;
+    const double angle = (i < 3 ? i : i - 3) * 2.0 * M_PI / 5.0;
+    const Eigen::Matrix4d pose = body.randomPose();
+    scans.push_back(
+        {pose, body.seenFrom({std::cos(angle), std::sin(angle), 0.3}, pose, size)});
+  }
+  return scans;
+}
+
 } // namespace made_up

@@ -25,13 +25,9 @@ class Multiview : public testing::Test {
 protected:
   Multiview()
   {
-    made_up::Body one(1), other(2);
-    for (int i = 0; i < 5; ++i) {
-      made_up::Body& body = i < 3 ? one : other;
-      const double angle = (i < 3 ? i : i - 3) * 2.0 * M_PI / 5.0;
-      T_scan_body_.push_back(body.randomPose());
-      points_.push_back(body.seenFrom({std::cos(angle), std::sin(angle), 0.3},
-                                      T_scan_body_.back(), 1500));
+    for (const made_up::BodyScan& scan : made_up::scansOfTwoBodies(1500)) {
+      T_scan_body_.push_back(scan.T_scan_body);
+      points_.push_back(scan.points);
     }
     settings_.device = "host";
   }

@@ -27,14 +27,10 @@ protected:
   void
   SetUp() override
   {
-    made_up::Body one(1), other(2);
-    for (int i = 0; i < 5; ++i) {
-      made_up::Body& body = i < 3 ? one : other;
-      const double angle = (i < 3 ? i : i - 3) * 2.0 * M_PI / 5.0;
-      T_scan_body_.push_back(body.randomPose());
-      points_.push_back(body.seenFrom({std::cos(angle), std::sin(angle), 0.3},
-                                      T_scan_body_.back(), 1500));
-      scans_.push_back("scan_" + std::to_string(i + 1) + ".ply");
+    for (const made_up::BodyScan& scan : made_up::scansOfTwoBodies(1500)) {
+      T_scan_body_.push_back(scan.T_scan_body);
+      points_.push_back(scan.points);
+      scans_.push_back("scan_" + std::to_string(scans_.size() + 1) + ".ply");
       write(scans_.back(), asPLY(points_.back()));
     }
     write("broken.ply", "ply\nformat ascii 1.0\nelement vertex 3\n");
