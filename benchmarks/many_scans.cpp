@@ -43,10 +43,10 @@ street()
         settings,
         [&](std::size_t number) {
           const auto points = tool::positionsOf(virtual_scans[number].geometry);
-          pcl::kss::Cloud cloud;
-          cloud.points.resize(3, points.size());
+          const auto cloud = std::make_shared<pcl::kss::Cloud>();
+          cloud->points.resize(3, points.size());
           for (std::size_t i = 0; i < points.size(); ++i)
-            cloud.points.col(i) = points[i];
+            cloud->points.col(i) = points[i];
           return cloud;
         },
         100000000);
@@ -77,7 +77,8 @@ forEachPair(benchmark::State& state, const Function& function)
       static_cast<std::int64_t>(state.iterations() * scans * (scans - 1) / 2));
   const ScanDescription& one = street().descriptions.front();
   state.counters["bytes_of_description"] =
-      static_cast<double>(sizeof(float) * (one.features.size() + one.outline.size()));
+      static_cast<double>(2 * sizeof(LocalFeature) * one.wide_features.size() +
+                          sizeof(Eigen::Vector3f) * one.outline.size());
 }
 
 void

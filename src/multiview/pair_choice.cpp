@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 namespace pcl {
 namespace kss {
@@ -22,11 +23,22 @@ constexpr double untried_log_odds = -5.0;
 /** Points of two scans whose features are each other's nearest. */
 using Match = std::pair<Eigen::Index, Eigen::Index>;
 
+/** Features as columns. */
+Eigen::MatrixXf
+columnsOf(const std::vector<LocalFeature>& features)
+{
+  using Bytes = Eigen::Matrix<std::uint8_t, std::tuple_size<LocalFeature>::value, 1>;
+  Eigen::MatrixXf columns(Bytes::RowsAtCompileTime, features.size());
+  for (std::size_t i = 0; i < features.size(); ++i)
+    columns.col(i) = Eigen::Map<const Bytes>(features[i].data()).cast<float>();
+  return columns;
+}
+
 std::vector<Match>
-mutualMatches(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b)
+mutualMatches(const std::vector<LocalFeature>& a, const std::vector<LocalFeature>& b)
 {
   std::vector<Match> matches;
-  const Eigen::MatrixXf products = a.transpose() * b;
+  const Eigen::MatrixXf products = columnsOf(a).transpose() * columnsOf(b);
   if (products.size() == 0)
     return matches;
   std::vector<Eigen::Index> best_of_b(products.cols());
@@ -60,10 +72,9 @@ resemblance(const ScanDescription& a, const ScanDescription& b)
   const int octave = std::min(a.octave, b.octave);
   if (std::max(a.octave, b.octave) - octave > 1)
     return 0.0;
-  const auto featuresOf = [octave](const ScanDescription& scan) -> Eigen::MatrixXf {
-    const Eigen::Index columns = scan.features.cols() / 2;
-    return scan.octave == octave ? scan.features.leftCols(columns)
-                                 : scan.features.rightCols(columns);
+  const auto featuresOf = [octave](const ScanDescription& scan) -> const auto&
+  {
+    return scan.octave == octave ? scan.wide_features : scan.narrow_features;
   };
   const std::vector<Match> matches = mutualMatches(featuresOf(a), featuresOf(b));
 
@@ -73,10 +84,8 @@ resemblance(const ScanDescription& a, const ScanDescription& b)
   for (const Match& one : matches) {
     int agreeing = 0;
     for (const Match& other : matches) {
-      const double in_a =
-          (a.outline.col(one.first) - a.outline.col(other.first)).norm();
-      const double in_b =
-          (b.outline.col(one.second) - b.outline.col(other.second)).norm();
+      const double in_a = (a.outline[one.first] - a.outline[other.first]).norm();
+      const double in_b = (b.outline[one.second] - b.outline[other.second]).norm();
       if (in_a > 2.0 * tolerance && std::abs(in_a - in_b) < tolerance)
         ++agreeing;
     }

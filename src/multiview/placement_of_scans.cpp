@@ -24,6 +24,14 @@ covered(const Eigen::Matrix3Xf& points, const Eigen::Matrix3Xf& others, double g
   return static_cast<double>(count) / static_cast<double>(points.cols());
 }
 
+/** The points of a scan's outline as columns. */
+Eigen::Map<const Eigen::Matrix3Xf>
+outlineOf(const ScanDescription& scan)
+{
+  return {scan.outline.empty() ? nullptr : scan.outline.front().data(), 3,
+          static_cast<Eigen::Index>(scan.outline.size())};
+}
+
 } // namespace
 
 double
@@ -67,9 +75,9 @@ expectedOverlap(const ScanDescription& source,
   if (shift.norm() > source.reach + target.reach)
     return {};
   const Eigen::Matrix3Xf placed =
-      (rotation.cast<float>() * source.outline).colwise() + shift.cast<float>();
-  const double of_source = covered(placed, target.outline, target.gap);
-  const double of_target = covered(target.outline, placed, source.gap);
+      (rotation.cast<float>() * outlineOf(source)).colwise() + shift.cast<float>();
+  const double of_source = covered(placed, outlineOf(target), target.gap);
+  const double of_target = covered(outlineOf(target), placed, source.gap);
   return {std::max(of_source, of_target), std::min(of_source, of_target)};
 }
 

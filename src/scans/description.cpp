@@ -27,6 +27,17 @@ constexpr std::size_t outline_points = 400;
 /** The first ones of them show what its surface is like. */
 constexpr std::size_t described_points = 256;
 
+/** Features with no more digits than they are worth: there are many of them. */
+std::vector<LocalFeature>
+rounded(const Eigen::MatrixXf& features)
+{
+  std::vector<LocalFeature> all(features.cols());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = 0; j < all[i].size(); ++j)
+      all[i][j] = static_cast<std::uint8_t>(std::lround(255.0f * features(j, i)));
+  return all;
+}
+
 /** How far neighbouring points are apart, usually. */
 double
 gapOf(const Points& points)
@@ -55,13 +66,13 @@ descriptionOf(const PreparedScan& scan)
     return std::vector<int>(order.begin(),
                             order.begin() + std::min(most, order.size()));
   };
-  description.outline = take(points, first(outline_points));
+  Points outline = take(points, first(outline_points));
   const Eigen::Matrix3Xd placed = points.cast<double>().colwise() + prepared.origin;
   description.centroid = placed.rowwise().mean();
-  description.outline.colwise() -=
-      (description.centroid - prepared.origin).cast<float>();
-  description.gap = gapOf(description.outline);
-  description.reach = description.outline.colwise().norm().maxCoeff();
+  outline.colwise() -= (description.centroid - prepared.origin).cast<float>();
+  description.outline.assign(outline.colwise().begin(), outline.colwise().end());
+  description.gap = gapOf(outline);
+  description.reach = outline.colwise().norm().maxCoeff();
   const Eigen::Matrix3Xd centred = placed.colwise() - description.centroid;
   description.spread = centred * centred.transpose() / centred.cols();
 
@@ -71,16 +82,11 @@ descriptionOf(const PreparedScan& scan)
   const std::vector<int> described = first(described_points);
   const Points normals = normalsOf(points, prepared.surface.neighbourhoods, 1);
   const auto features = [&](int octave) {
-    return localFeatures(points, normals, described,
-                         static_cast<float>(std::ldexp(1.0, octave)));
+    return rounded(localFeatures(points, normals, described,
+                                 static_cast<float>(std::ldexp(1.0, octave))));
   };
-  const Eigen::MatrixXf wide = features(description.octave);
-  const Eigen::MatrixXf narrow = features(description.octave - 1);
-  description.features.resize(wide.rows(), wide.cols() + narrow.cols());
-  description.features << wide, narrow;
-  // no more digits than they are worth: there are many of them
-  constexpr float one = ScanDescription::feature_one;
-  description.features = (one * description.features).array().round() / one;
+  description.wide_features = features(description.octave);
+  description.narrow_features = features(description.octave - 1);
   return description;
 }
 

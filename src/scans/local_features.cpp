@@ -4,8 +4,11 @@
 
 #include "scans/local_features.h"
 
+#include <pcl/registration/kss/scan_work.h>
+
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace pcl {
 namespace kss {
@@ -19,6 +22,8 @@ binOf(float share, int bins)
 {
   return std::min(bins - 1, static_cast<int>(static_cast<float>(bins) * share));
 }
+
+static_assert(shells * cosines * cosines == std::tuple_size<LocalFeature>());
 
 } // namespace
 

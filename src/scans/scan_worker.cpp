@@ -116,9 +116,9 @@ struct ScanWorker::Implementation {
   ScanStore::Scan
   made(std::size_t number)
   {
-    const Cloud cloud = load(number);
+    const std::shared_ptr<const Cloud> cloud = load(number);
     return borrowing(
-        [&](CloudRegistration& registration) { return registration.prepared(cloud); });
+        [&](CloudRegistration& registration) { return registration.prepared(*cloud); });
   }
 
   /** The points of a group in its frame. */

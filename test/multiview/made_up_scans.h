@@ -28,8 +28,9 @@ public:
       scan.spread = Eigen::Vector3d(4.0, 2.0, 1.0).asDiagonal();
       scan.spacing = 0.05;
       std::normal_distribution<float> normal;
-      scan.outline = Eigen::Matrix3Xf::NullaryExpr(
-          3, 100, [&](Eigen::Index) { return normal(random_); });
+      for (int p = 0; p < 100; ++p)
+        scan.outline.emplace_back(Eigen::Vector3f::NullaryExpr(
+            [&](Eigen::Index) { return normal(random_); }));
       scan.gap = 0.3;
       scan.reach = 4.0;
       poses.push_back(randomPose(20.0));

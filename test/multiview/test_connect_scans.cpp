@@ -39,7 +39,9 @@ protected:
   ScanLoader
   loader() const
   {
-    return [this](std::size_t number) { return clouds.at(number); };
+    return [this](std::size_t number) {
+      return std::make_shared<Cloud>(clouds.at(number));
+    };
   }
 
   Multiview
@@ -167,7 +169,7 @@ TEST_F(ConnectScans, GoesOnWithoutScansThatCannotBeHad)
       [this](std::size_t number) {
         if (number == 3)
           throw std::runtime_error("scan.ply: there is no such file");
-        return clouds.at(number);
+        return std::make_shared<Cloud>(clouds.at(number));
       },
       std::size_t(1) << 30);
   ThreadCrew crew(worker, 0);

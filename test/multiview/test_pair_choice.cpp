@@ -22,13 +22,14 @@ scanWith(unsigned int seed)
 {
   std::mt19937 random(seed);
   std::normal_distribution<float> normal;
-  const auto drawn = [&](Eigen::Index rows, Eigen::Index columns) {
-    return Eigen::MatrixXf(Eigen::MatrixXf::NullaryExpr(
-        rows, columns, [&](Eigen::Index) { return normal(random); }));
-  };
   ScanDescription scan;
-  scan.outline = drawn(3, 30);
-  scan.features = drawn(20, 60).colwise().normalized();
+  for (int i = 0; i < 30; ++i) {
+    scan.outline.emplace_back(
+        Eigen::Vector3f::NullaryExpr([&](Eigen::Index) { return normal(random); }));
+    for (auto* const features : {&scan.wide_features, &scan.narrow_features})
+      for (std::uint8_t& share : features->emplace_back())
+        share = static_cast<std::uint8_t>(random() % 52);
+  }
   return scan;
 }
 
@@ -114,9 +115,8 @@ TEST(PairChoice, SeesWhatResemblesItselfTurned)
 {
   const ScanDescription scan = scanWith(1);
   ScanDescription turned = scan;
-  turned.outline =
-      Eigen::AngleAxisf(1.0f, Eigen::Vector3f::UnitX()).toRotationMatrix() *
-      scan.outline;
+  for (Eigen::Vector3f& point : turned.outline)
+    point = Eigen::AngleAxisf(1.0f, Eigen::Vector3f::UnitX()) * point;
   EXPECT_GT(resemblance(scan, turned), 25.0);
   EXPECT_LT(resemblance(scan, scanWith(2)), 10.0);
 }
@@ -126,7 +126,7 @@ TEST(PairChoice, ComparesTheOctaveThatBothHave)
   const ScanDescription scan = scanWith(1);
   ScanDescription larger = scan;
   larger.octave = 1;
-  larger.features.rightCols(30) = scan.features.leftCols(30);
+  larger.narrow_features = scan.wide_features;
   EXPECT_GT(resemblance(scan, larger), 25.0);
   larger.octave = 2;
   EXPECT_EQ(resemblance(scan, larger), 0.0);

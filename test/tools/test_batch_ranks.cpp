@@ -32,9 +32,9 @@ protected:
     return asRanks(number, batch(more));
   }
 
-  /** The process of a rank below a process; 0: there is none yet. */
-  static pid_t
-  processOf(pid_t parent, int rank)
+  /** Kill a rank that a process has started. */
+  static void
+  killRank(int rank, pid_t parent)
   {
     std::ifstream children("/proc/" + std::to_string(parent) + "/task/" +
                            std::to_string(parent) + "/children");
@@ -42,10 +42,12 @@ protected:
       std::ostringstream variables;
       variables << std::ifstream("/proc/" + std::to_string(child) + "/environ").rdbuf();
       if (variables.str().find("OMPI_COMM_WORLD_RANK=" + std::to_string(rank) + '\0') !=
-          std::string::npos)
-        return child;
+          std::string::npos) {
+        kill(child, SIGKILL);
+        return;
+      }
     }
-    return 0;
+    ADD_FAILURE() << "there is no rank " << rank;
   }
 };
 
@@ -73,7 +75,7 @@ TEST_F(BatchRanks, KilledOnesEndAllWhichGoesOn)
   const std::string alone = expected();
   const pid_t child = start(ranks(2, {"pairs.csv", "--out", "out"}));
   EXPECT_TRUE(waitFor([&] { return timesInJournal("out", "{\"done\":") > 0; }));
-  kill(processOf(child, 1), SIGKILL);
+  killRank(1, child);
   EXPECT_NE(0, finish(child).status);
   EXPECT_EQ(0, run(ranks(2, {"pairs.csv", "--out", "out"})).status);
   EXPECT_EQ(alone, results("out"));
@@ -87,7 +89,7 @@ TEST_F(BatchRanks, OthersDoTheWorkOfKilledOnes)
   words.insert(words.begin() + 1, "--enable-recovery");
   const pid_t child = start(words);
   EXPECT_TRUE(waitFor([&] { return timesInJournal("out", "{\"begun\":5}") > 0; }));
-  kill(processOf(child, 1), SIGKILL);
+  killRank(1, child);
   const Outcome outcome = finish(child);
   EXPECT_NE(std::string::npos, outcome.errors.find("rank 1 is not heard of any more"))
       << outcome.errors;

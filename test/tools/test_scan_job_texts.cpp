@@ -128,12 +128,11 @@ TEST_F(ScanJobTexts, DescriptionsAreReadAsTheyWereWritten)
     ScanDescription& scan = answer.description;
     fill(scan.centroid);
     fill(scan.spread);
-    scan.outline.resize(3, columns);
-    fill(scan.outline);
-    scan.features.resize(columns ? 11 : 0, columns);
-    for (Eigen::Index i = 0; i < scan.features.size(); ++i) // whole parts of their unit
-      scan.features.data()[i] =
-          static_cast<float>(i % 256) / ScanDescription::feature_one;
+    for (int i = 0; i < columns; ++i) {
+      fill(scan.outline.emplace_back());
+      scan.wide_features.emplace_back().fill(static_cast<std::uint8_t>(5 * i));
+      scan.narrow_features.emplace_back().back() = static_cast<std::uint8_t>(255 - i);
+    }
     scan.spacing = number();
     scan.gap = number();
     scan.reach = number();
@@ -144,8 +143,11 @@ TEST_F(ScanJobTexts, DescriptionsAreReadAsTheyWereWritten)
     const ScanDescription read = answerFrom(text).description;
     expectSame(scan.centroid, read.centroid);
     expectSame(scan.spread, read.spread);
-    expectSame(scan.outline, read.outline);
-    expectSame(scan.features, read.features);
+    ASSERT_EQ(scan.outline.size(), read.outline.size());
+    for (int i = 0; i < columns; ++i)
+      expectSame(scan.outline[i], read.outline[i]);
+    EXPECT_EQ(scan.wide_features, read.wide_features);
+    EXPECT_EQ(scan.narrow_features, read.narrow_features);
     EXPECT_TRUE(same(scan.spacing, read.spacing));
     EXPECT_TRUE(same(scan.gap, read.gap));
     EXPECT_TRUE(same(scan.reach, read.reach));

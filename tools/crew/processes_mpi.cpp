@@ -4,6 +4,7 @@
  * Processes as they are with MPI.
  */
 
+#include "pace.h"
 #include "processes.h"
 #include "rank_crew.h"
 #include "thread_crew.h"
@@ -15,7 +16,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <iostream>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include <sched.h>
@@ -70,6 +73,20 @@ public:
                                "mpirun");
     cores_ = shareOfCores(world_);
   }
+
+  /** MPI's own end waits for all ranks, those that are gone too, and for ever. */
+  ~Ranks()
+  {
+    std::cout.flush();
+    std::thread([] {
+      std::this_thread::sleep_for(Patience::ofEnvironment().with_worker);
+      std::_Exit(EXIT_FAILURE);
+    }).detach();
+  }
+
+  Ranks(const Ranks&) = delete;
+  Ranks&
+  operator=(const Ranks&) = delete;
 
   const mpi::communicator&
   world() const

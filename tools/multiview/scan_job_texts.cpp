@@ -65,27 +65,19 @@ failureFrom(const json& value)
           value.at(1).get<std::string>()};
 }
 
-/** Features as the whole numbers that they are of their unit: a third of the text. */
-json
-featuresAsJSON(const Eigen::MatrixXf& features)
-{
-  json numbers = json::array();
-  for (Eigen::Index i = 0; i < features.size(); ++i)
-    numbers.push_back(
-        std::lround(features.data()[i] * pcl::kss::ScanDescription::feature_one));
-  return numbers;
-}
-
 json
 toJSON(const pcl::kss::ScanDescription& scan)
 {
+  json outline = json::array();
+  for (const Eigen::Vector3f& point : scan.outline)
+    outline.push_back(toJSON(point));
   return {{"centroid", toJSON(scan.centroid)},
           {"spread", toJSON(scan.spread)},
-          {"outline", toJSON(scan.outline)},
+          {"outline", outline},
           {"spacing", toJSON(scan.spacing)},
-          {"rows", scan.features.rows()},
           {"octave", scan.octave},
-          {"features", featuresAsJSON(scan.features)},
+          {"wide_features", scan.wide_features},
+          {"narrow_features", scan.narrow_features},
           {"far", scan.far_points},
           {"gap", toJSON(scan.gap)},
           {"reach", toJSON(scan.reach)}};
@@ -97,14 +89,11 @@ descriptionFrom(const json& value)
   pcl::kss::ScanDescription scan;
   fromJSON(value.at("centroid"), scan.centroid);
   fromJSON(value.at("spread"), scan.spread);
-  scan.outline.resize(3, value.at("outline").size() / 3);
-  fromJSON(value.at("outline"), scan.outline);
+  for (const json& point : value.at("outline"))
+    fromJSON(point, scan.outline.emplace_back());
   scan.spacing = numberFrom(value.at("spacing"));
-  const Eigen::Index rows = value.at("rows");
-  scan.features.resize(rows, rows ? value.at("features").size() / rows : 0);
-  for (Eigen::Index i = 0; i < scan.features.size(); ++i)
-    scan.features.data()[i] = value.at("features").at(i).get<float>() /
-                              pcl::kss::ScanDescription::feature_one;
+  value.at("wide_features").get_to(scan.wide_features);
+  value.at("narrow_features").get_to(scan.narrow_features);
   scan.gap = numberFrom(value.at("gap"));
   scan.reach = numberFrom(value.at("reach"));
   scan.octave = value.at("octave");

@@ -8,7 +8,8 @@
 
 #include <pcl/registration/kss/cloud_registration.h>
 
-#include <string>
+#include <cstddef>
+#include <memory>
 
 namespace tool {
 
@@ -16,7 +17,7 @@ namespace tool {
  * known of their normals, or points spread over a mesh.
  * \param[in] samples so many points stand for a mesh
  */
-pcl::kss::Cloud
+std::shared_ptr<const pcl::kss::Cloud>
 cloudOf(const Geometry& scan, std::size_t samples);
 
 } // namespace tool

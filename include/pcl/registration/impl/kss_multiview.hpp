@@ -10,6 +10,7 @@
 #include <pcl/console/print.h>
 #include <pcl/type_traits.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -47,17 +48,17 @@ bool
 KSSMultiview<PointT>::align()
 {
   const auto load = [this](std::size_t number) {
-    kss::Cloud cloud;
+    const auto cloud = std::make_shared<kss::Cloud>();
     if (!scans_[number])
       return cloud;
     const PointCloud& points = *scans_[number];
-    cloud.points.resize(3, points.size());
+    cloud->points.resize(3, points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
-      cloud.points.col(i) = points[i].getVector3fMap().template cast<double>();
+      cloud->points.col(i) = points[i].getVector3fMap().template cast<double>();
     if constexpr (pcl::traits::has_normal<PointT>::value) {
-      cloud.normals.resize(3, points.size());
+      cloud->normals.resize(3, points.size());
       for (std::size_t i = 0; i < points.size(); ++i)
-        cloud.normals.col(i) = points[i].getNormalVector3fMap();
+        cloud->normals.col(i) = points[i].getNormalVector3fMap();
     }
     return cloud;
   };

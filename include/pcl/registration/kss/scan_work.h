@@ -11,7 +11,9 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -50,7 +52,15 @@ struct ScanTask {
   bool estimates_scale = false;
 };
 
-/** \brief What a scan is like. */
+/** \brief What the surface is like around a point, however it is turned: square roots
+ * of shares, 255 being 1. */
+using LocalFeature = std::array<std::uint8_t, 100>;
+
+/** \brief What a scan is like.
+ *
+ * No matrices of dynamic size, here and in what else is handed over: what a program
+ * compiled for wider vectors has allocated for one, the library must not free.
+ */
 struct ScanDescription {
   /** \brief The mean of its points. */
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
@@ -59,20 +69,19 @@ struct ScanDescription {
   /** \brief Points of it, a few hundred, that cover it evenly, relative to the
    * centroid.
    */
-  Eigen::Matrix3Xf outline;
+  std::vector<Eigen::Vector3f> outline;
   /** \brief How far neighbouring points of the outline are apart. */
   double gap = 0.0;
   /** \brief How far the farthest one of them is from the centroid. */
   double reach = 0.0;
   /** \brief The usual spacing of its points, as those are that judge. */
   double spacing = 0.0;
-  /** \brief What its surface is like around the first points of the outline, however it
-   * is turned: a column for each of them within 2^octave, and then a column for each
-   * within half of that. In whole parts of 1 / feature_one. */
-  Eigen::MatrixXf features;
-  int octave = 0; ///< see \ref features
-  /** \brief What the largest number of features is, in their unit. */
-  static constexpr float feature_one = 255.0f;
+  /** \brief What its surface is like within 2^octave around the first points of the
+   * outline. */
+  std::vector<LocalFeature> wide_features;
+  /** \brief The same within half of that. */
+  std::vector<LocalFeature> narrow_features;
+  int octave = 0;             ///< see \ref wide_features
   std::size_t far_points = 0; ///< points that are too far away from the others
 };
 
@@ -102,7 +111,7 @@ public:
 
 /** \brief Where scans come from: called with a scan's number, from several threads;
  * throws where it cannot be had. */
-using ScanLoader = std::function<Cloud(std::size_t)>;
+using ScanLoader = std::function<std::shared_ptr<const Cloud>(std::size_t)>;
 
 /** \brief Does tasks; those of several threads may run at the same time.
  *
