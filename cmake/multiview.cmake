@@ -11,9 +11,13 @@ add_library(pcl_kss_icp_multiview_objects OBJECT
   src/multiview/candidates_of_pairs.cpp
   src/multiview/connect_scans.cpp
   src/multiview/consensus.cpp
+  src/multiview/joint_refinement.cpp
   src/multiview/pair_choice.cpp
+  src/multiview/placed_scans.cpp
   src/multiview/placement_of_scans.cpp
-  src/multiview/pose_graph.cpp)
+  src/multiview/placing.cpp
+  src/multiview/pose_graph.cpp
+  src/multiview/verdicts.cpp)
 target_compile_options(pcl_kss_icp_multiview_objects PRIVATE -Wall -Wextra)
 target_include_directories(pcl_kss_icp_multiview_objects PRIVATE src)
 target_link_libraries(pcl_kss_icp_multiview_objects

@@ -14,9 +14,6 @@ namespace {
 /** What is less probable is not worth a look. */
 constexpr double least_probable = 0.03;
 
-/** No pair is surer than that: it may show something that looks the same elsewhere. */
-constexpr double surest = 0.9;
-
 } // namespace
 
 std::vector<PoseCandidate>

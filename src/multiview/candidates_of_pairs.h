@@ -22,6 +22,10 @@ struct PoseCandidate {
   double probability = 0.0;
 };
 
+/** \brief No pair is surer than that: it may show something that looks the same
+ * elsewhere. */
+constexpr double surest = 0.9;
+
 /** \brief The poses of pairs that may be right, as far as each pair alone tells.
  * \param[in] shift of the logarithm of the odds of all of them: less than 0 where pairs
  * have turned out to be less sure than they say

@@ -20,6 +20,11 @@ constexpr std::size_t pairs_of_groups = 3;
  * as a logarithm, than this. */
 constexpr double untried_log_odds = -5.0;
 
+/** Each scan is to have so many pairs that agree with the model, as far as there are
+ * others that it overlaps by so much of both. */
+constexpr std::size_t enough_confirmations = 4;
+constexpr double confirming_overlap = 0.5;
+
 /** Points of two scans whose features are each other's nearest. */
 using Match = std::pair<Eigen::Index, Eigen::Index>;
 
@@ -228,6 +233,39 @@ resemblingGroups(const Eigen::MatrixXf& resemblances,
 {
   return resemblingGroups(pairsBetween(resemblances, usable, groups, tried),
                           groups.size(), partners);
+}
+
+std::set<ScanPair>
+pairsThatConfirm(const PlacedScans& placed, const std::map<ScanPair, PairResult>& tried)
+{
+  std::map<std::size_t, std::size_t> confirmations;
+  std::map<std::size_t, std::vector<std::pair<double, ScanPair>>> more;
+  for (const PlacedGroup& group : placed.groups)
+    for (const std::size_t a : group)
+      for (const std::size_t b : group) {
+        if (a >= b)
+          continue;
+        const auto found = tried.find({a, b});
+        if (found != tried.end()) {
+          const std::size_t agrees = placed.isKept(found->second) ? 1 : 0;
+          confirmations[a] += agrees;
+          confirmations[b] += agrees;
+          continue;
+        }
+        const double overlap = placed.overlapOf(a, b).least;
+        if (overlap >= confirming_overlap) {
+          more[a].push_back({-overlap, {a, b}});
+          more[b].push_back({-overlap, {a, b}});
+        }
+      }
+  std::set<ScanPair> pairs;
+  for (auto& [scan, of_scan] : more) {
+    std::sort(of_scan.begin(), of_scan.end());
+    const std::size_t known = confirmations[scan];
+    for (std::size_t p = 0; p + known < enough_confirmations && p < of_scan.size(); ++p)
+      pairs.insert(of_scan[p].second);
+  }
+  return pairs;
 }
 
 } // namespace kss

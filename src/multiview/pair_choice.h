@@ -6,6 +6,8 @@
 
 #include <pcl/registration/kss/scan_work.h>
 
+#include "multiview/placed_scans.h"
+
 #include <cstddef>
 #include <map>
 #include <set>
@@ -71,6 +73,14 @@ resemblance(const ScanDescription& a, const ScanDescription& b);
 Eigen::MatrixXf
 resemblancesOf(const std::vector<ScanDescription>& scans,
                const std::vector<std::size_t>& usable);
+
+/** \brief More pairs of scans that hang on few others, where these have been placed so
+ * that they overlap: the pairs agree, or speak against that.
+ * \param[in] tried what has been tried
+ */
+std::set<ScanPair>
+pairsThatConfirm(const PlacedScans& placed,
+                 const std::map<ScanPair, PairResult>& tried);
 
 } // namespace kss
 } // namespace pcl
