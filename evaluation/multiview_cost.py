@@ -14,7 +14,7 @@ set, and the work, the memory and the time of more scans like those.
 The numbers of pairs are those that src/multiview/pair_choice.cpp chooses at most; of what
 follows (thorough pairs, steps of the refinement) as many for each scan as the largest runs
 had. Work on scans and pairs is shared by all cores; what is done for each two of all scans
-is not.
+is that of one process.
 """
 import argparse
 import json
@@ -31,7 +31,7 @@ KINDS = {  # of work: the stages that do it
 ALL_PAIRS = 25
 BYTES_OF_RESEMBLANCE = 4
 EACH_TWO = {"Resemblances": 1, "DistantOverlaps": 10}  # how often; refinement has ten steps
-BYTES_OF_DESCRIPTION = 0.21e6  # as pcl_kss_icp_multiview_benchmark counts them
+BYTES_OF_DESCRIPTION = 0.056e6  # as pcl_kss_icp_multiview_benchmark counts them
 # Of the texts that the journal has of a scan and of a pair, and that stay in memory.
 JOURNAL_OF_SCAN, JOURNAL_OF_PAIR = 330e3, 1.4e3
 

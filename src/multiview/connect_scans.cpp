@@ -101,7 +101,7 @@ private:
     }
     if (usable().size() > settings_.all_pairs) {
       stages_.begin("resemblances");
-      resemblances_ = resemblancesOf(placed_.descriptions, usable());
+      resemblances_ = resemblancesOf(placed_.descriptions, usable(), settings_.threads);
       stages_.end();
     }
     else

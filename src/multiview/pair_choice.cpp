@@ -4,6 +4,8 @@
 
 #include "multiview/pair_choice.h"
 
+#include "support/parallel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -101,14 +103,18 @@ resemblance(const ScanDescription& a, const ScanDescription& b)
 
 Eigen::MatrixXf
 resemblancesOf(const std::vector<ScanDescription>& scans,
-               const std::vector<std::size_t>& usable)
+               const std::vector<std::size_t>& usable,
+               unsigned int threads)
 {
   Eigen::MatrixXf resemblances = Eigen::MatrixXf::Zero(scans.size(), scans.size());
-  for (const std::size_t a : usable)
-    for (const std::size_t b : usable)
-      if (a < b)
-        resemblances(a, b) = resemblances(b, a) =
-            static_cast<float>(resemblance(scans[a], scans[b]));
+  inParallel(static_cast<std::ptrdiff_t>(usable.size()), threads, 1,
+             [&](std::ptrdiff_t i) {
+               const std::size_t a = usable[i];
+               for (const std::size_t b : usable)
+                 if (a < b)
+                   resemblances(a, b) = resemblances(b, a) =
+                       static_cast<float>(resemblance(scans[a], scans[b]));
+             });
   return resemblances;
 }
 

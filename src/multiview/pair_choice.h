@@ -69,10 +69,12 @@ resemblingGroups(const Eigen::MatrixXf& resemblances,
 double
 resemblance(const ScanDescription& a, const ScanDescription& b);
 
-/** \brief How much each of some scans resembles each other one; 0 elsewhere. */
+/** \brief How much each of some scans resembles each other one; 0 elsewhere.
+ * \param[in] threads 0: as many as there are cores */
 Eigen::MatrixXf
 resemblancesOf(const std::vector<ScanDescription>& scans,
-               const std::vector<std::size_t>& usable);
+               const std::vector<std::size_t>& usable,
+               unsigned int threads);
 
 /** \brief More pairs of scans that hang on few others, where these have been placed so
  * that they overlap: the pairs agree, or speak against that.

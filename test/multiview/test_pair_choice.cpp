@@ -76,7 +76,7 @@ TEST(PairChoice, TriesThoseThatResembleEachOtherOfMany)
   // 0 and 3, 1 and 4, 2 and 5 are alike
   const auto scans = scansWith({1, 2, 3, 1, 2, 3});
   const std::vector<std::size_t> all = {0, 1, 2, 3, 4, 5};
-  const auto pairs = pairsToTry(resemblancesOf(scans, all), all, 2, 1);
+  const auto pairs = pairsToTry(resemblancesOf(scans, all, 2), all, 2, 1);
   EXPECT_TRUE(has(pairs, {0, 3}));
   EXPECT_TRUE(has(pairs, {1, 4}));
   EXPECT_TRUE(has(pairs, {2, 5}));

@@ -91,6 +91,7 @@ parseMultiviewOptions(int argc, const char* const* argv)
   options.room = std::size_t(1000000) * memory;
   options.multiview.scale_between_groups = values.count("free-scale") > 0;
   options.multiview.refine = values.count("no-refinement") == 0;
+  options.multiview.threads = options.threads;
 
   options.scans = filesOf(values);
   if (options.scans.size() < 2)

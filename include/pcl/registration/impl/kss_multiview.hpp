@@ -66,7 +66,9 @@ KSSMultiview<PointT>::align()
   settings.estimate_scale = false;
   kss::ScanWorker worker(settings, load, room_);
   kss::ThreadCrew crew(worker, settings.threads);
-  result_ = kss::connectScans(scans_.size(), multiview_settings_, crew, progress_);
+  kss::MultiviewSettings multiview_settings = multiview_settings_;
+  multiview_settings.threads = settings.threads;
+  result_ = kss::connectScans(scans_.size(), multiview_settings, crew, progress_);
   return result_.failure.cause == kss::FailureCause::NONE;
 }
 

@@ -164,6 +164,9 @@ struct MultiviewSettings {
   bool scale_between_groups = false;
   /** \brief Whether the poses are refined by all overlapping pairs at once. */
   bool refine = true;
+  /** \brief Threads that compare the descriptions of scans, which is not work for a
+   * crew; 0: as many as there are cores. */
+  unsigned int threads = 0;
 };
 
 /** \brief Find the poses of scans.
