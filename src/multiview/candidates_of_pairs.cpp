@@ -17,7 +17,7 @@ constexpr double least_probable = 0.03;
 } // namespace
 
 std::vector<PoseCandidate>
-candidatesOf(const std::vector<PairResult>& pairs, double shift)
+candidatesOf(const std::vector<PairResult>& pairs, const std::vector<double>& shifts)
 {
   std::vector<PoseCandidate> candidates;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
@@ -32,6 +32,7 @@ candidatesOf(const std::vector<PairResult>& pairs, double shift)
     for (std::size_t i = 0; i < pair.poses.size(); ++i) {
       const double share = std::exp(std::min(pair.poses[i].log_odds - best, 0.0)) / sum;
       const double alone = std::min(surest, pair.confidence * share);
+      const double shift = shifts.empty() ? 0.0 : shifts[p];
       const double odds = std::exp(shift) * alone / (1.0 - alone);
       const double probability = odds / (1.0 + odds);
       if (probability >= least_probable)

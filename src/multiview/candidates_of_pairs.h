@@ -24,14 +24,15 @@ struct PoseCandidate {
 
 /** \brief No pair is surer than that: it may show something that looks the same
  * elsewhere. */
-constexpr double surest = 0.9;
+constexpr double surest = 0.95;
 
 /** \brief The poses of pairs that may be right, as far as each pair alone tells.
- * \param[in] shift of the logarithm of the odds of all of them: less than 0 where pairs
- * have turned out to be less sure than they say
+ * \param[in] shifts of the logarithm of the odds of each pair: less than 0 where it is
+ * less sure than it says; empty: none
  */
 std::vector<PoseCandidate>
-candidatesOf(const std::vector<PairResult>& pairs, double shift = 0.0);
+candidatesOf(const std::vector<PairResult>& pairs,
+             const std::vector<double>& shifts = {});
 
 /** \brief The logarithm of the odds. */
 double

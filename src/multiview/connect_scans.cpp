@@ -41,9 +41,10 @@ public:
   run()
   {
     describe();
-    registerPairs(
-        pairsToTry(resemblances_, usable(), settings_.all_pairs, settings_.partners),
-        ScanTask::Kind::TRY, "pairs");
+    const std::vector<ScanPair> resembling =
+        pairsToTry(resemblances_, usable(), settings_.all_pairs, settings_.partners);
+    resembling_.insert(resembling.begin(), resembling.end());
+    registerPairs(resembling, ScanTask::Kind::TRY, "pairs");
     place();
     confirm();
     // what that has left apart is looked at again, thoroughly
@@ -146,10 +147,22 @@ private:
   void
   place()
   {
+    std::size_t with_pose = 0, resembling_with_pose = 0;
+    for (const auto& [scans, pair] : pairs_) {
+      with_pose += pair.poses.empty() ? 0 : 1;
+      resembling_with_pose += pair.poses.empty() ? 0 : resembling_.count(scans);
+    }
+    // of those that resemble each other, more are right than of the rest
+    const std::size_t size = usable().size();
+    const double of_resembling = shiftOfMany(resembling_with_pose, size);
+    const double of_others = shiftOfMany(with_pose, size);
     std::vector<PairResult> pairs = group_pairs_;
-    for (const auto& [scans, pair] : pairs_)
+    std::vector<double> shifts(pairs.size(), of_others);
+    for (const auto& [scans, pair] : pairs_) {
       pairs.push_back(pair);
-    placeByPairs(pairs, usable().size(), placed_);
+      shifts.push_back(resembling_.count(scans) > 0 ? of_resembling : of_others);
+    }
+    placeByPairs(pairs, shifts, placed_);
   }
 
   /** Try pairs that would say something about where scans have been placed. */
@@ -324,6 +337,7 @@ private:
   PlacedScans placed_;
   Eigen::MatrixXf resemblances_; ///< where there are too many scans for all pairs
   std::map<ScanPair, PairResult> pairs_; ///< that have been tried
+  std::set<ScanPair> resembling_;        ///< those that were tried to begin with
   std::vector<PairResult> group_pairs_; ///< what groups have said of two of their scans
   std::set<ScanPair> thorough_;         ///< those that were not tried quickly
 };

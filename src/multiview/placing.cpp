@@ -18,7 +18,7 @@ namespace {
 
 /** Each scan fits so many others, about; and of the pairs that confidences were fitted
  * on, three fit for two that do not: the logarithm of that. */
-constexpr double partners_that_fit = 4.0, usual_log_odds = 0.4;
+constexpr double partners_that_fit = 5.0, usual_log_odds = 0.4;
 
 /** So many pairs that are as sure as they say are assumed beside those that there are;
  * and less than this changes nothing. */
@@ -35,41 +35,36 @@ constexpr double usual_error = 0.02;
 /** So many rounds of believing pairs less. */
 constexpr int most_rounds = 4;
 
-/** Confidences were fitted on pairs most of which fit. Of many scans each fits a few
- * others: the more pairs there are for each, the fewer of them are right. */
-double
-baseShift(const std::vector<PairResult>& pairs, std::size_t usable)
+/** Of each scan: by how much the odds of its pairs have to change, as a logarithm, for
+ * as many of those that are accepted to agree with where the scans are as say so; 0
+ * where most do. */
+std::vector<double>
+shiftsOfAgreement(const std::vector<PairResult>& pairs, const PlacedScans& placed)
 {
-  double tried = 0.0;
-  for (const PairResult& pair : pairs)
-    tried += pair.poses.empty() || pair.of_groups ? 0.0 : 1.0;
-  const double right = partners_that_fit / 2.0 * static_cast<double>(usable);
-  const double others = tried - right;
-  return others <= 0.0 ? 0.0 : std::min(0.0, std::log(right / others) - usual_log_odds);
-}
-
-/** By how much the odds of pairs have to change, as a logarithm, for as many of those
- * that are accepted to agree with where the scans are as say so; 0 where most do. */
-double
-shiftOfAgreement(const std::vector<PairResult>& pairs, const PlacedScans& placed)
-{
-  const std::vector<std::size_t> group_of =
-      groupOfEach(placed.groups, placed.descriptions.size());
-  double accepted = 0.0, expected = 0.0, agreeing = 0.0;
+  const std::size_t scans = placed.descriptions.size();
+  const std::vector<std::size_t> group_of = groupOfEach(placed.groups, scans);
+  std::vector<double> accepted(scans), expected(scans), agreeing(scans), shifts(scans);
   for (const PairResult& pair : pairs) {
     if (pair.failure.cause != FailureCause::NONE || pair.poses.empty())
       continue;
-    accepted += 1.0;
-    expected += std::min(pair.confidence, surest);
-    if (group_of[pair.source] == group_of[pair.target] && placed.isKept(pair))
-      agreeing += 1.0;
+    const bool agrees =
+        group_of[pair.source] == group_of[pair.target] && placed.isKept(pair);
+    for (const std::size_t scan : {pair.source, pair.target}) {
+      accepted[scan] += 1.0;
+      expected[scan] += std::min(pair.confidence, surest);
+      agreeing[scan] += agrees ? 1.0 : 0.0;
+    }
   }
-  if (accepted == 0.0)
-    return 0.0;
-  // a few that are as expected: one or two pairs prove nothing
-  const double usual = expected / accepted;
-  const double share = (agreeing + few * usual) / (accepted + few);
-  return share < least_agreeing ? logOdds(share) - logOdds(usual) : 0.0;
+  for (std::size_t scan = 0; scan < scans; ++scan) {
+    if (accepted[scan] == 0.0)
+      continue;
+    // a few that are as expected: one or two pairs prove nothing
+    const double usual = expected[scan] / accepted[scan];
+    const double share = (agreeing[scan] + few * usual) / (accepted[scan] + few);
+    if (share < least_agreeing)
+      shifts[scan] = logOdds(share) - logOdds(usual);
+  }
+  return shifts;
 }
 
 /** What the pairs of a group say, those that agree with the rest. */
@@ -102,25 +97,41 @@ linksOf(const PlacedGroup& group,
 
 } // namespace
 
+double
+shiftOfMany(std::size_t pairs, std::size_t scans)
+{
+  const double right = partners_that_fit / 2.0 * static_cast<double>(scans);
+  const double others = static_cast<double>(pairs) - right;
+  return others <= 0.0 ? 0.0 : std::min(0.0, std::log(right / others) - usual_log_odds);
+}
+
 void
 placeByPairs(const std::vector<PairResult>& pairs,
-             std::size_t usable,
+             const std::vector<double>& shifts,
              PlacedScans& placed)
 {
-  const double base = baseShift(pairs, usable);
-  double shift = base;
+  std::vector<double> shifts_of_scans(placed.descriptions.size());
   for (int round = 0; round < most_rounds; ++round) {
-    const std::vector<PoseCandidate> candidates = candidatesOf(pairs, shift);
+    std::vector<double> both = shifts;
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+      both[p] +=
+          std::min(shifts_of_scans[pairs[p].source], shifts_of_scans[pairs[p].target]);
+    const std::vector<PoseCandidate> candidates = candidatesOf(pairs, both);
     Consensus consensus = consensusOf(placed.descriptions, candidates);
     placed.poses = std::move(consensus.poses);
     placed.groups = std::move(consensus.groups);
     for (const PlacedGroup& group : placed.groups)
       solvePoses(placed.descriptions, group, linksOf(group, candidates, placed),
                  placed.poses);
-    const double shown = base + shiftOfAgreement(pairs, placed);
-    if (shown > shift - least_shift)
+    bool is_news = false;
+    const std::vector<double> shown = shiftsOfAgreement(pairs, placed);
+    for (std::size_t scan = 0; scan < shown.size(); ++scan)
+      if (shown[scan] < shifts_of_scans[scan] - least_shift) {
+        shifts_of_scans[scan] = shown[scan];
+        is_news = true;
+      }
+    if (!is_news)
       return;
-    shift = shown;
   }
 }
 
