@@ -153,6 +153,10 @@ TEST_F(MultiviewFiles, LinksOfGroupsCountFromOne)
   EXPECT_EQ(1, links[0]["target"]);
   EXPECT_EQ(Eigen::MatrixXd(link.transformation), matrixOf(links[0]["transformation"]));
   EXPECT_EQ(0.75, links[0]["confidence"]);
+  EXPECT_TRUE(has(modelSummary(model_, names_, "out"),
+                  "Scales:    group 2 fits group 1 at 2 times its size, with"));
+  EXPECT_TRUE(has(page(), "<li>group 2 fits group 1 at 2 times its size, with "
+                          "confidence 0.75</li>"));
 }
 
 TEST_F(MultiviewFiles, GraphHasThePoseThatTheModelGoesBy)

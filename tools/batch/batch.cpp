@@ -6,6 +6,7 @@
 
 #include "command_line/report.h"
 #include "pair_answer.h"
+#include "picture/short_text.h"
 #include "results.h"
 
 #include <nlohmann/json.hpp>
@@ -132,7 +133,7 @@ Batch::conclude()
   manifest_.checkUnchanged();
   Counts counts = writeResults(options_.folder, manifest_, *journal_);
   if (!options_.quiet) {
-    std::cout << manifest_.size() << " pairs:";
+    std::cout << counted(manifest_.size(), "pair") << ':';
     const char* comma = " ";
     for (const char* status : {REGISTERED, AMBIGUOUS, REFUSED, FAILED_PAIR}) {
       std::cout << comma << counts[status] << ' ' << status;
