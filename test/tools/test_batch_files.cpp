@@ -200,6 +200,23 @@ TEST_F(BatchFiles, JournalsOfOtherRuns)
   EXPECT_THROW(journal("b"), std::runtime_error);
 }
 
+TEST_F(BatchFiles, JournalsWithADamagedLine)
+{
+  {
+    const auto kept = journal();
+    for (const std::size_t pair : {0, 1, 2})
+      kept->noteDone(pair, {{"status", "registered"}});
+    EXPECT_EQ(0u, kept->numberDamaged());
+  }
+  std::string damaged = content("journal");
+  damaged[damaged.find("{\"done\":2") + 12] = '\0';
+  write("journal", damaged);
+  const auto kept = journal();
+  EXPECT_EQ(1u, kept->numberDamaged());
+  EXPECT_TRUE(kept->isDone(0) && !kept->isDone(1) && kept->isDone(2));
+  EXPECT_EQ("registered", (*kept)[2].at("status"));
+}
+
 TEST_F(BatchFiles, JournalsTellOfWhatEndedTheProgram)
 {
   std::string killed;

@@ -513,7 +513,7 @@ TEST_F(MultiviewFiles, SummaryFitsTerminals)
 TEST_F(MultiviewFiles, FolderHasAllFiles)
 {
   const std::string folder = path("out");
-  prepareFolder(folder);
+  prepareFolder(folder, {});
   double done = 0.0;
   writeFolder(model_, folder, [&](double share) {
     EXPECT_GT(share, done);
@@ -569,7 +569,7 @@ TEST_F(MultiviewFiles, GroupsAreDrawnWhateverIsFarOut)
 TEST_F(MultiviewFiles, FolderLosesWhatAnEarlierRunHasLeft)
 {
   const std::string folder = path("out");
-  prepareFolder(folder);
+  prepareFolder(folder, {});
   writeFolder(model_, folder);
   write("out/merged_7.ply", "somebody else's");
   write("kept.txt", "outside");
@@ -601,11 +601,25 @@ TEST_F(MultiviewFiles, FolderLosesWhatAnEarlierRunHasLeft)
   }
 }
 
+TEST_F(MultiviewFiles, ScansAreNotReplacedByResults)
+{
+  std::filesystem::create_directories(path("out/poses"));
+  for (const char* name : {"merged_1.ply", "merged_12.ply", "pairs.csv", "poses/a.txt",
+                           "../out/./graph_1.g2o"})
+    EXPECT_THROW(prepareFolder(path("out"), {path("s.ply"), path("out/") + name}),
+                 std::runtime_error)
+        << name;
+  EXPECT_NO_THROW(prepareFolder(
+      path("out"), {path("merged_1.ply"), path("poses/a.txt"), path("out/scan_1.ply"),
+                    path("out/merged_.ply"), path("out/merged_1b.ply"),
+                    path("out/more/merged_1.ply"), path("out/poses/a.ply")}));
+}
+
 TEST_F(MultiviewFiles, FoldersThatCannotBeAreErrors)
 {
   const std::string file = write("file", "");
   try {
-    prepareFolder(file);
+    prepareFolder(file, {});
     ADD_FAILURE();
   }
   catch (const std::runtime_error& error) {

@@ -35,8 +35,8 @@ ScanJobs::work(const std::vector<ScanTask>& tasks,
 {
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < tasks.size(); ++i)
-    if (const auto known = journal_.answerTo(jobOf(tasks[i])))
-      done(i, answerFrom(*known));
+    if (const ScanAnswer* known = journal_.answerTo(jobOf(tasks[i])))
+      done(i, *known);
     else
       left.push_back(i);
   crew_.run(
