@@ -198,11 +198,11 @@ TEST_F(MultiviewFiles, PairsAreRowsWithCommas)
   std::string line;
   std::getline(text, line);
   EXPECT_EQ("source,target,source_file,target_file,verdict,confidence,ambiguous,loops,"
-            "deviation,overlap_source,overlap_target,score,reason",
+            "deviation,overlap_source,overlap_target,score,reason,of_groups,log_odds",
             line);
   std::getline(text, line);
   EXPECT_EQ("2,1,\"scans/body_2.ply\",\"a \"\"b\"\", c.ply\",kept,0.96,false,2,0.0021,"
-            "0.75,0.7,1.2,\"\"",
+            "0.75,0.7,1.2,\"\",false,4",
             line);
 }
 

@@ -53,14 +53,20 @@ runOf(const MultiviewOptions& options)
           {"settings", settingsAsJSON(options.how)}};
 }
 
-/** What was set, for people. */
+/** What was set, for people: what decides about the results. */
 std::vector<std::pair<std::string, std::string>>
 settingsForPeople(const MultiviewOptions& options)
 {
   std::vector<std::pair<std::string, std::string>> settings = {
       {"all-pairs", std::to_string(options.multiview.all_pairs)},
-      {"partners", std::to_string(options.multiview.partners)}};
-  const nlohmann::ordered_json how = settingsAsJSON(options.how);
+      {"partners", std::to_string(options.multiview.partners)},
+      {"joint refinement", options.multiview.refine ? "yes" : "no"},
+      {"free scale", options.multiview.scale_between_groups ? "yes" : "no"},
+      {"spacing of merged points", shortText(options.spacing)}};
+  nlohmann::ordered_json how = settingsAsJSON(options.how);
+  for (const char* of_pairs :
+       {"estimate_scale", "smallest_scale", "largest_scale", "threads"})
+    how.erase(of_pairs); // many scans have one scale, each pair one thread
   for (auto setting = how.begin(); setting != how.end(); ++setting)
     if (!setting->is_null())
       settings.emplace_back(setting.key(), setting->is_string()
