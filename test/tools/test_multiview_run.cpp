@@ -244,6 +244,22 @@ TEST_F(MultiviewRun, AnswersOfBeforeAreUsed)
   EXPECT_EQ("from the journal", poses("out")["scans"][3]["reason"]);
 }
 
+TEST_F(MultiviewRun, ScansThatCouldNotBeUsedAreTriedAgain)
+{
+  // for a reason that its size and time do not tell of, as a disk that comes back
+  const std::string good = content(scans_[1]);
+  write(scans_[1], 'x' + good.substr(1));
+  const auto time = std::filesystem::last_write_time(path(scans_[1]));
+  const std::vector<std::string> words =
+      multiview({scans_[1], scans_[0], scans_[2]}, "out", {"--threads", "1"});
+  killWhenThereAre(2, words);
+  write(scans_[1], good);
+  std::filesystem::last_write_time(path(scans_[1]), time);
+  const Outcome outcome = run(words);
+  EXPECT_EQ(0, outcome.status) << outcome.errors << outcome.output;
+  EXPECT_TRUE(has(outcome.errors, "done already")) << outcome.errors;
+}
+
 TEST_F(MultiviewRun, DamagedLinesOfTheJournalAreDoneAgain)
 {
   const std::string whole = expected();

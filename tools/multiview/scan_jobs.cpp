@@ -48,8 +48,10 @@ ScanJobs::work(const std::vector<ScanTask>& tasks,
         result.pair.source = task.source;
         result.pair.target = task.target;
         if (answer.failure.empty()) {
-          journal_.add(jobOf(task), answer.bytes);
           result = answerFrom(answer.bytes);
+          // what could not be done, as without a file or memory, may be possible later
+          if (result.failure.cause == pcl::kss::FailureCause::NONE)
+            journal_.add(jobOf(task), answer.bytes);
         }
         else
           result.failure = {pcl::kss::FailureCause::OTHER, answer.failure};
