@@ -5,7 +5,7 @@
  */
 
 #include "command_line/progress_bar.h"
-#include "picture/short_text.h"
+#include "command_line/quantities.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 
 #include "batch.h"
 
+#include "command_line/quantities.h"
 #include "command_line/report.h"
 #include "pair_answer.h"
-#include "picture/short_text.h"
 #include "results.h"
 
 #include <nlohmann/json.hpp>

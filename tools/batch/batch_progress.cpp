@@ -4,7 +4,7 @@
 
 #include "batch_progress.h"
 
-#include "picture/short_text.h"
+#include "command_line/quantities.h"
 
 #include <iomanip>
 #include <iostream>

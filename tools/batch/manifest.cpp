@@ -4,8 +4,8 @@
 
 #include "manifest.h"
 
+#include "command_line/quantities.h"
 #include "csv.h"
-#include "picture/short_text.h"
 
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/trim.hpp>

@@ -4,6 +4,7 @@
 
 #include "model.h"
 
+#include "command_line/quantities.h"
 #include "picture/short_text.h"
 
 #include <Eigen/LU>

@@ -4,6 +4,7 @@
 
 #include "page.h"
 
+#include "command_line/quantities.h"
 #include "drawings.h"
 #include "html.h"
 #include "page_style.h"

@@ -4,6 +4,7 @@
 
 #include "command_line/device_list.h"
 #include "command_line/program.h"
+#include "command_line/quantities.h"
 #include "command_line/report.h"
 #include "command_line/signals.h"
 #include "crew/processes.h"

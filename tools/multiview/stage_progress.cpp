@@ -4,7 +4,7 @@
 
 #include "stage_progress.h"
 
-#include "picture/short_text.h"
+#include "command_line/quantities.h"
 
 #include <iostream>
 

@@ -4,8 +4,8 @@
 
 #include "summary.h"
 
+#include "command_line/quantities.h"
 #include "command_line/wrapped.h"
-#include "picture/short_text.h"
 
 #include <algorithm>
 
