@@ -167,7 +167,7 @@ def main():
              for name in cost]
     rows.append(["memory of the resemblances"] + [size_text(g["matrix"]) for g in guesses])
     rows.append(["memory of descriptions"] + [size_text(g["descriptions"]) for g in guesses])
-    rows.append(["journal, on disk and in memory"] + [size_text(g["journal"]) for g in guesses])
+    rows.append(["journal, on disk"] + [size_text(g["journal"]) for g in guesses])
     print_table(["CPU time, one core", *(f"{scans:,} scans" for scans in arguments.scans)], rows)
 
 

@@ -106,7 +106,7 @@ TEST_F(BatchFiles, AllMistakesAreToldWithTheirLines)
 {
   const std::string csv = refusal("source,target\na,b\n\na\n,b\na,\n\"a,b\n");
   for (const std::string part :
-       {"line 4: has 1 fields, but there are 2 columns", "line 5: names no source",
+       {"line 4: has 1 field, but there are 2 columns", "line 5: names no source",
         "line 6: names no target", "line 7: a quote is not closed"})
     EXPECT_NE(std::string::npos, csv.find(part)) << csv;
   EXPECT_NE(std::string::npos,
@@ -122,13 +122,25 @@ TEST_F(BatchFiles, AllMistakesAreToldWithTheirLines)
        {"line 2: 'source' is no string", "line 3: is no JSON object",
         "line 4: names no target", "line 5: there is no column 'sorce'"})
     EXPECT_NE(std::string::npos, json.find(part)) << json;
+  EXPECT_EQ(std::string::npos, json.find('\n')) << "messages are lines";
+}
+
+TEST_F(BatchFiles, FilesThatAreNoLists)
+{
+  EXPECT_NE(std::string::npos,
+            refusal("[{\"source\":\"a\",\"target\":\"b\"}]\n").find("is a JSON list"));
+  for (const std::string mark : {"\xFF\xFE", "\xFE\xFF"})
+    EXPECT_NE(std::string::npos, refusal(mark + "source").find("is in UTF-16"));
+  // what is told apart by zeros between processes
+  EXPECT_NE(std::string::npos, refusal("{\"source\":\"a\\u0000b\",\"target\":\"c\"}\n")
+                                   .find("line 1: has a zero byte in its source"));
 }
 
 TEST_F(BatchFiles, HeadersThatAreWrong)
 {
   EXPECT_NE(std::string::npos, refusal("source,name\na,b\n")
-                                   .find("line 1: the first line names the "
-                                         "columns, and lacks 'target'"));
+                                   .find("line 1, which names the columns: lacks "
+                                         "'target'"));
   EXPECT_NE(std::string::npos, refusal("source;target\na;b\n").find("no column"));
   EXPECT_NE(std::string::npos,
             refusal("source,target,source\na,b,c\n").find("is there twice"));
@@ -186,6 +198,23 @@ TEST_F(BatchFiles, JournalsWithATornLine)
     }
     EXPECT_EQ("ambiguous", (*journal())[1].at("status"));
   }
+}
+
+TEST_F(BatchFiles, JournalsWithADamagedLine)
+{
+  {
+    const auto kept = journal();
+    for (const std::size_t pair : {0, 1, 2})
+      kept->noteDone(pair, {{"status", "registered"}});
+    EXPECT_EQ(0u, kept->numberDamaged());
+  }
+  std::string damaged = content("journal");
+  damaged[damaged.find("{\"done\":2") + 12] = '\0';
+  write("journal", damaged);
+  const auto kept = journal();
+  EXPECT_EQ(1u, kept->numberDamaged());
+  EXPECT_TRUE(kept->isDone(0) && !kept->isDone(1) && kept->isDone(2));
+  EXPECT_EQ("registered", (*kept)[2].at("status"));
 }
 
 TEST_F(BatchFiles, JournalsOfOtherRuns)

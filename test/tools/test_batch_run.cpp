@@ -179,6 +179,43 @@ TEST_F(BatchRun, WhatHasChangedIsNotMixed)
   EXPECT_NE(whole, results("expected"));
 }
 
+TEST_F(BatchRun, PairsThatFailedAreTriedAgain)
+{
+  write("two.csv", "source,target\ns0,t0\nlate,t0\n");
+  EXPECT_EQ(1, run(batch({"two.csv", "--out", "out"})).status);
+  EXPECT_NE(std::string::npos, lines("out/results.csv").at(2).find("late: No such"));
+  write("late", content("s0"));
+  const Outcome outcome = run(batch({"two.csv", "--out", "out"}));
+  EXPECT_EQ(0, outcome.status) << outcome.errors;
+  EXPECT_NE(std::string::npos, outcome.errors.find("1 of 2 pairs are done already"))
+      << outcome.errors;
+  EXPECT_EQ(0u, lines("out/results.csv").at(2).find("2,,late,t0,registered,0.9"));
+}
+
+TEST_F(BatchRun, DamagedLinesOfTheJournalAreDoneAgain)
+{
+  const std::string whole = expected();
+  std::string journal = content("expected/journal.jsonl");
+  journal.replace(journal.find("{\"done\":2") + 20, 5, std::string(5, '\0'));
+  write("expected/journal.jsonl", journal);
+  const Outcome outcome = run(batch({"pairs.csv", "--out", "expected"}));
+  EXPECT_EQ(0, outcome.status) << outcome.errors;
+  EXPECT_NE(std::string::npos,
+            outcome.errors.find("warning: 1 line of the journal cannot be read"))
+      << outcome.errors;
+  EXPECT_EQ(whole, results("expected"));
+}
+
+TEST_F(BatchRun, ListsAreNotReplacedByResults)
+{
+  const std::string manifest = content("pairs.csv");
+  for (const char* name : {"results.csv", "journal.jsonl"}) {
+    write(name, manifest);
+    expectError(run(batch({name, "--out", ".", "--restart"})), "would replace");
+    EXPECT_EQ(manifest, content(name));
+  }
+}
+
 TEST_F(BatchRun, FullDisksAreTold)
 {
   file_size_limit_ = 20000;

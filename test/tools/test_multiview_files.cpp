@@ -153,6 +153,10 @@ TEST_F(MultiviewFiles, LinksOfGroupsCountFromOne)
   EXPECT_EQ(1, links[0]["target"]);
   EXPECT_EQ(Eigen::MatrixXd(link.transformation), matrixOf(links[0]["transformation"]));
   EXPECT_EQ(0.75, links[0]["confidence"]);
+  EXPECT_TRUE(has(modelSummary(model_, names_, "out"),
+                  "Scales:    group 2 fits group 1 at 2 times its size, with"));
+  EXPECT_TRUE(has(page(), "<li>group 2 fits group 1 at 2 times its size, with "
+                          "confidence 0.75</li>"));
 }
 
 TEST_F(MultiviewFiles, GraphHasThePoseThatTheModelGoesBy)
@@ -194,11 +198,11 @@ TEST_F(MultiviewFiles, PairsAreRowsWithCommas)
   std::string line;
   std::getline(text, line);
   EXPECT_EQ("source,target,source_file,target_file,verdict,confidence,ambiguous,loops,"
-            "deviation,overlap_source,overlap_target,score,reason",
+            "deviation,overlap_source,overlap_target,score,reason,of_groups,log_odds",
             line);
   std::getline(text, line);
   EXPECT_EQ("2,1,\"scans/body_2.ply\",\"a \"\"b\"\", c.ply\",kept,0.96,false,2,0.0021,"
-            "0.75,0.7,1.2,\"\"",
+            "0.75,0.7,1.2,\"\",false,4",
             line);
 }
 
@@ -344,6 +348,24 @@ TEST_F(MultiviewFiles, MergedCloudsAreDoublesWhereFloatsAreTooCoarse)
   EXPECT_EQ(4000000.1234567, positionsOf(cloud)[4].x());
 }
 
+TEST_F(MultiviewFiles, PointsThatStrayDoNotMakeMergedCloudsCoarse)
+{
+  // as scanners write rays that hit nothing, among coordinates of maps
+  std::vector<double> numbers = {0.0, 0.0, 0.0};
+  for (int i = 0; i < 9; ++i)
+    numbers.insert(numbers.end(), {4e5 + i, 5.4e6 + 0.001 * i, 300.0 - i});
+  model_.read = [&](std::size_t) {
+    Geometry geometry;
+    geometry.cloud = cloudOfDoubles(numbers, {"x", "y", "z"});
+    return geometry;
+  };
+  for (auto& scan : model_.result.scans)
+    scan.transformation.setIdentity();
+  const Geometry cloud = merged({0, 1});
+  EXPECT_FALSE(hasSinglePrecision(cloud));
+  EXPECT_EQ(5.4e6 + 0.003, positionsOf(cloud)[4].y());
+}
+
 TEST_F(MultiviewFiles, MergedCloudsAreThinned)
 {
   for (auto& scan : model_.result.scans)
@@ -361,8 +383,9 @@ TEST_F(MultiviewFiles, MergedCloudsAreThinned)
   ASSERT_EQ(3u, numberOfPoints(cloud.cloud));
   EXPECT_EQ(1.0, numberAt(cloud, "scan", 1));
   EXPECT_EQ(2.0, numberAt(cloud, "scan", 2));
-  model_.spacing = 1e-9;
-  EXPECT_THROW(merged({0, 1}), std::runtime_error);
+  model_.spacing = 1e-300; // however far a point may stray
+  merged({0, 1});
+  EXPECT_EQ(5u, points_);
 }
 
 TEST_F(MultiviewFiles, MergedMeshesAreSampled)
@@ -490,7 +513,7 @@ TEST_F(MultiviewFiles, SummaryFitsTerminals)
 TEST_F(MultiviewFiles, FolderHasAllFiles)
 {
   const std::string folder = path("out");
-  prepareFolder(folder);
+  prepareFolder(folder, {});
   double done = 0.0;
   writeFolder(model_, folder, [&](double share) {
     EXPECT_GT(share, done);
@@ -546,7 +569,7 @@ TEST_F(MultiviewFiles, GroupsAreDrawnWhateverIsFarOut)
 TEST_F(MultiviewFiles, FolderLosesWhatAnEarlierRunHasLeft)
 {
   const std::string folder = path("out");
-  prepareFolder(folder);
+  prepareFolder(folder, {});
   writeFolder(model_, folder);
   write("out/merged_7.ply", "somebody else's");
   write("kept.txt", "outside");
@@ -578,11 +601,25 @@ TEST_F(MultiviewFiles, FolderLosesWhatAnEarlierRunHasLeft)
   }
 }
 
+TEST_F(MultiviewFiles, ScansAreNotReplacedByResults)
+{
+  std::filesystem::create_directories(path("out/poses"));
+  for (const char* name : {"merged_1.ply", "merged_12.ply", "pairs.csv", "poses/a.txt",
+                           "../out/./graph_1.g2o"})
+    EXPECT_THROW(prepareFolder(path("out"), {path("s.ply"), path("out/") + name}),
+                 std::runtime_error)
+        << name;
+  EXPECT_NO_THROW(prepareFolder(
+      path("out"), {path("merged_1.ply"), path("poses/a.txt"), path("out/scan_1.ply"),
+                    path("out/merged_.ply"), path("out/merged_1b.ply"),
+                    path("out/more/merged_1.ply"), path("out/poses/a.ply")}));
+}
+
 TEST_F(MultiviewFiles, FoldersThatCannotBeAreErrors)
 {
   const std::string file = write("file", "");
   try {
-    prepareFolder(file);
+    prepareFolder(file, {});
     ADD_FAILURE();
   }
   catch (const std::runtime_error& error) {

@@ -123,7 +123,7 @@ protected:
   {
     const std::string journal = content(folder + "/journal.txt");
     const std::size_t lines = std::count(journal.begin(), journal.end(), '\n');
-    return lines == 0 ? 0 : (lines - 1) / 2; // a head, and two for each
+    return lines == 0 ? 0 : lines - 1; // the first one says what it is of
   }
 
   /** Start the program, and kill it when it has so many answers. */
@@ -233,7 +233,7 @@ TEST_F(MultiviewRun, AnswersOfBeforeAreUsed)
   killWhenThereAre(5, multiview(some_, "out", {"--threads", "1"}));
   // an answer that is not what the scans would give: nobody looks at them again
   std::string journal = content("out/journal.txt");
-  const std::string job = "{\"kind\":0,\"source\":3,\"target\":0}\n";
+  const std::string job = "{\"kind\":0,\"source\":3,\"target\":0}\t";
   const std::size_t answer = journal.find(job) + job.size();
   ASSERT_LE(job.size(), answer);
   const std::string reason = "[1,\"from the journal\"]";
@@ -244,30 +244,86 @@ TEST_F(MultiviewRun, AnswersOfBeforeAreUsed)
   EXPECT_EQ("from the journal", poses("out")["scans"][3]["reason"]);
 }
 
-TEST_F(MultiviewRun, WorkOfOtherScansOrSettingsIsNotUsed)
+TEST_F(MultiviewRun, ScansThatCouldNotBeUsedAreTriedAgain)
 {
-  const auto isUsed = [&](const std::vector<std::string>& words) {
-    const Outcome outcome = run(words);
-    EXPECT_LE(outcome.status, 1) << outcome.errors;
-    return has(outcome.errors, "done already");
-  };
+  // for a reason that its size and time do not tell of, as a disk that comes back
+  const std::string good = content(scans_[1]);
+  write(scans_[1], 'x' + good.substr(1));
+  const auto time = std::filesystem::last_write_time(path(scans_[1]));
+  const std::vector<std::string> words =
+      multiview({scans_[1], scans_[0], scans_[2]}, "out", {"--threads", "1"});
+  killWhenThereAre(2, words);
+  write(scans_[1], good);
+  std::filesystem::last_write_time(path(scans_[1]), time);
+  const Outcome outcome = run(words);
+  EXPECT_EQ(0, outcome.status) << outcome.errors << outcome.output;
+  EXPECT_TRUE(has(outcome.errors, "done already")) << outcome.errors;
+}
+
+TEST_F(MultiviewRun, DamagedLinesOfTheJournalAreDoneAgain)
+{
+  const std::string whole = expected();
+  killWhenThereAre(5, multiview(some_, "out", {"--threads", "1"}));
+  std::string journal = content("out/journal.txt");
+  // of one the middle, of another one even its end: it becomes one with the next
+  std::size_t line = journal.find('\n') + 1;
+  journal.replace(line + 100, 50, std::string(50, '\0'));
+  line = journal.find('\n', line) + 1;
+  journal[journal.find('\n', line)] = '?';
+  write("out/journal.txt", journal);
+  const Outcome outcome = run(multiview(some_, "out"));
+  EXPECT_EQ(1, outcome.status) << outcome.errors;
+  EXPECT_TRUE(has(outcome.errors, "warning: 2 lines of the journal cannot be read"))
+      << outcome.errors;
+  EXPECT_EQ(whole, results("out"));
+}
+
+TEST_F(MultiviewRun, WorkOfOtherScansOrSettingsIsNeitherUsedNorLost)
+{
   const std::vector<std::string> two = {scans_[3], scans_[4]};
-  const auto interrupted = [&] {
-    std::filesystem::remove_all(path("out"));
-    killWhenThereAre(1, multiview(two, "out"));
-  };
-  interrupted();
-  EXPECT_TRUE(isUsed(multiview(two, "out")));
-  interrupted();
-  EXPECT_FALSE(isUsed(multiview(two, "out", {"--restart"})));
-  interrupted();
-  EXPECT_FALSE(isUsed(multiview(two, "out", {"--points", "300"})));
-  interrupted();
-  EXPECT_FALSE(isUsed(multiview({scans_[4], scans_[3]}, "out")));
-  interrupted();
-  // of the same size
-  write(scans_[4], asPLY(points_[4].rowwise().reverse()));
-  EXPECT_FALSE(isUsed(multiview(two, "out")));
+  killWhenThereAre(1, multiview(two, "out", {"--threads", "1"}));
+  const std::string journal = content("out/journal.txt");
+  const std::string anew = "; --restart begins anew, and another folder for --out";
+  expectError(run(multiview(two, "out", {"--points", "300"})),
+              "is of a run with other settings" + anew);
+  const std::string other = "is of a run with other scans, or scans that have changed";
+  expectError(run(multiview({scans_[4], scans_[3]}, "out")), other);
+  const auto time = std::filesystem::last_write_time(path(scans_[4]));
+  std::filesystem::last_write_time(path(scans_[4]), time + std::chrono::seconds(1));
+  expectError(run(multiview(two, "out")), other);
+  std::filesystem::last_write_time(path(scans_[4]), time);
+  EXPECT_EQ(0u, content("out/journal.txt").find(journal));
+
+  Outcome outcome = run(multiview(two, "out"));
+  EXPECT_EQ(0, outcome.status) << outcome.errors;
+  EXPECT_TRUE(has(outcome.errors, "done already")) << outcome.errors;
+  write("out/journal.txt", journal);
+  outcome = run(multiview(two, "out", {"--restart"}));
+  EXPECT_EQ(0, outcome.status) << outcome.errors;
+  EXPECT_FALSE(has(outcome.errors, "done already")) << outcome.errors;
+}
+
+TEST_F(MultiviewRun, TwoRunsInOneFolderAreOneTooMany)
+{
+  const pid_t child = start(multiview(some_, "out", {"--threads", "1"}));
+  EXPECT_TRUE(waitFor([&] { return answersIn("out") >= 1; }));
+  kill(child, SIGSTOP);
+  expectError(run(multiview(some_, "out")),
+              "out/journal.txt: is in use by another run");
+  kill(child, SIGCONT);
+  EXPECT_EQ(1, finish(child).status);
+}
+
+TEST_F(MultiviewRun, SignalsSayThatItGoesOn)
+{
+  const pid_t child = start(multiview(some_, "out", {"--threads", "1"}));
+  EXPECT_TRUE(waitFor([&] { return answersIn("out") >= 1; }));
+  kill(child, SIGTERM);
+  const Outcome outcome = finish(child);
+  EXPECT_EQ(143, outcome.status);
+  EXPECT_TRUE(has(outcome.errors, "ended by SIGTERM\nwhat is done is kept; the same "
+                                  "command goes on"))
+      << outcome.errors;
 }
 
 TEST_F(MultiviewRun, FarAwayScansAreNotLessPrecise)
@@ -301,7 +357,8 @@ TEST_F(MultiviewRun, WrongCommandLines)
 {
   expectError(run(multiview({scans_[0]}, "out")), "needs two SCANS or more, but got 1");
   expectError(run({PCL_KSS_ICP_MULTIVIEW, scans_[0], scans_[1]}), "needs --out DIR");
-  expectError(run(multiview({scans_[0], scans_[0]}, "out")), "is there twice");
+  expectError(run(multiview({scans_[0], scans_[1], "./" + scans_[0]}, "out")),
+              "./scan_1.ply: is there twice");
   expectError(run(multiview(scans_, "out", {"--what"})), "--what");
   expectError(run(multiview(scans_, "out", {"--scale-range", "2"})), "--scale-range");
   expectError(run(multiview(scans_, "out", {"--memory", "0"})), "--memory");

@@ -4,6 +4,7 @@
 
 #include "batch.h"
 
+#include "command_line/quantities.h"
 #include "command_line/report.h"
 #include "pair_answer.h"
 #include "results.h"
@@ -23,6 +24,10 @@ using JSON = nlohmann::ordered_json;
 
 /** In so many starts a pair may end the program before it is passed over. */
 constexpr unsigned int MOST_DEATHS = 3;
+
+/** What there is in a folder in the end. */
+constexpr const char* FILES[] = {"results.csv", "results.jsonl", "times.csv",
+                                 "journal.jsonl"};
 
 /** What all pairs are done with: results of two such runs do not go together. */
 JSON
@@ -47,19 +52,27 @@ Batch::Batch(const BatchOptions& options)
   if (error || !fs::is_directory(options.folder))
     throw std::runtime_error(options.folder + ": cannot be made a folder" +
                              (error ? ": " + error.message() : ""));
+  for (const char* name : FILES)
+    if (fs::equivalent(options.manifest, fs::path(options.folder) / name, error))
+      throw std::runtime_error(options.manifest + ": is a file that results in " +
+                               options.folder + " would replace; rename it, or give " +
+                               "--out another folder");
   journal_.emplace(options.folder + "/journal.jsonl", runOf(options, manifest_),
                    manifest_.size(), options.restart);
-  checkInputs();
+  checkDone();
 }
 
 void
-Batch::checkInputs() const
+Batch::checkDone()
 {
   for (std::size_t i = 0; i < manifest_.size(); ++i) {
     if (!journal_->isDone(i))
       continue;
     const Pair pair = manifest_[i];
-    if ((*journal_)[i].at("inputs") != stateOfInputs(pair, manifest_folder_))
+    const JSON line = (*journal_)[i];
+    if (line.at("status") == FAILED_PAIR && line.at("seconds").is_number())
+      journal_->forget(i);
+    else if (line.at("inputs") != stateOfInputs(pair, manifest_folder_))
       throw std::runtime_error(
           options_.folder + ": the files of pair " + std::to_string(i + 1) + " (" +
           pair.source + ", " + pair.target +
@@ -75,6 +88,9 @@ Batch::run(Crew& crew)
   if (journal_->numberDone() > 0 && !options_.quiet)
     std::cerr << journal_->numberDone() << " of " << manifest_.size()
               << " pairs are done already\n";
+  if (journal_->numberDamaged() > 0 && !options_.quiet)
+    std::cerr << "warning: " << counted(journal_->numberDamaged(), "line")
+              << " of the journal cannot be read: what they told of is done again\n";
   runSuspects(crew);
   // by number: they may be too many for more than that
   std::vector<std::size_t> pairs;
@@ -132,7 +148,7 @@ Batch::conclude()
   manifest_.checkUnchanged();
   Counts counts = writeResults(options_.folder, manifest_, *journal_);
   if (!options_.quiet) {
-    std::cout << manifest_.size() << " pairs:";
+    std::cout << counted(manifest_.size(), "pair") << ':';
     const char* comma = " ";
     for (const char* status : {REGISTERED, AMBIGUOUS, REFUSED, FAILED_PAIR}) {
       std::cout << comma << counts[status] << ' ' << status;

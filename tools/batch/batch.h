@@ -36,9 +36,11 @@ public:
   conclude();
 
 private:
-  /** \brief Refuse to go on where a pair that is done has other files now. */
+  /** \brief Look at the pairs that are done: those that failed are tried again, unless
+   * the program died of them; and where others have other files now, it does not go on.
+   */
   void
-  checkInputs() const;
+  checkDone();
 
   /** \brief Pass over the pairs that the program has died of too often, and do those
    * that it seems to die of one by one, so that others do not die with them. */

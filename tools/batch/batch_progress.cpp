@@ -4,7 +4,8 @@
 
 #include "batch_progress.h"
 
-#include <cmath>
+#include "command_line/quantities.h"
+
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -31,12 +32,12 @@ BatchProgress::step()
   const double left =
       seconds() / static_cast<double>(done_) * static_cast<double>(pairs_ - done);
   if (bar_)
-    bar_->show(durationText(left) + " left",
-               static_cast<double>(done) / static_cast<double>(pairs_));
+    bar_->show("pairs", static_cast<double>(done) / static_cast<double>(pairs_),
+               timeText(left) + " left");
   else if (Clock::now() - told_ >= NOW_AND_THEN) {
     told_ = Clock::now();
     std::cerr << done << " of " << pairs_ << " pairs; " << pace() << "; "
-              << durationText(left) << " left\n";
+              << timeText(left) << " left\n";
   }
 }
 
@@ -44,8 +45,7 @@ std::string
 BatchProgress::pace() const
 {
   std::ostringstream text;
-  text << std::setprecision(3) << done_ << (done_ == 1 ? " pair" : " pairs") << " in "
-       << seconds() << " s";
+  text << std::setprecision(3) << counted(done_, "pair") << " in " << seconds() << " s";
   if (done_ > 0)
     text << ", " << static_cast<double>(done_) / seconds() << " per second";
   return text.str();
@@ -55,16 +55,6 @@ double
 BatchProgress::seconds() const
 {
   return std::chrono::duration<double>(Clock::now() - start_).count();
-}
-
-std::string
-durationText(double seconds)
-{
-  const long whole = std::lround(seconds);
-  std::ostringstream text;
-  text << whole / 3600 << std::setfill('0') << ':' << std::setw(2) << whole / 60 % 60
-       << ':' << std::setw(2) << whole % 60;
-  return text.str();
 }
 
 } // namespace tool

@@ -45,8 +45,4 @@ private:
   std::optional<ProgressBar> bar_;
 };
 
-/** \brief Hours, minutes and seconds. */
-std::string
-durationText(double seconds);
-
 } // namespace tool

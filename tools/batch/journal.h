@@ -4,10 +4,11 @@
 
 #pragma once
 
+#include "command_line/journal_file.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
-#include <fstream>
 #include <set>
 #include <string>
 #include <vector>
@@ -58,12 +59,23 @@ public:
     return deaths_[pair];
   }
 
+  /** \brief How many lines are damaged: what they told of is not known any more. */
+  std::size_t
+  numberDamaged() const
+  {
+    return damaged_;
+  }
+
   void
   noteBegun(std::size_t pair);
 
   /** \brief Keep what has come of a pair. */
   void
   noteDone(std::size_t pair, const nlohmann::ordered_json& answer);
+
+  /** \brief A pair that is done is to be done again. */
+  void
+  forget(std::size_t pair);
 
   /** \brief What has come of a pair that is done. */
   nlohmann::ordered_json
@@ -74,32 +86,14 @@ private:
   static constexpr const char* END = "{\"ended\":true}\n";
   static constexpr std::uint64_t NOWHERE = ~std::uint64_t(0);
 
-  /** \brief Open the file, for this process alone. */
-  void
-  open();
-
-  /** \brief Take in what is in the file. \return whether there was a run */
-  bool
-  read(const nlohmann::ordered_json& wanted);
-
   void
   take(const nlohmann::ordered_json& line, std::uint64_t place, std::set<std::size_t>&);
 
-  /** \return where the line stands */
-  std::uint64_t
-  append(const std::string& line);
-
-  [[noreturn]] void
-  fail(const std::string& problem) const;
-
-  std::string path_;
-  int file_ = -1;
-  std::uint64_t end_ = 0;
-  mutable std::ifstream reader_;
+  JournalFile file_;
   /** \brief Where the pairs that are done stand. */
   std::vector<std::uint64_t> places_;
   std::vector<std::uint8_t> deaths_;
-  std::size_t done_ = 0;
+  std::size_t done_ = 0, damaged_ = 0;
 };
 
 } // namespace tool

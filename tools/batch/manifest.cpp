@@ -4,6 +4,7 @@
 
 #include "manifest.h"
 
+#include "command_line/quantities.h"
 #include "csv.h"
 
 #include <boost/algorithm/string/join.hpp>
@@ -54,6 +55,9 @@ check(const Pair& pair)
   for (const Column& column : {COLUMNS[0], COLUMNS[1]})
     if ((pair.*column.member).empty())
       throw std::runtime_error(std::string("names no ") + column.name);
+  for (const Column& column : COLUMNS)
+    if ((pair.*column.member).find('\0') != std::string::npos)
+      throw std::runtime_error(std::string("has a zero byte in its ") + column.name);
 }
 
 /** The columns that the header of a CSV names, in their order. */
@@ -73,8 +77,7 @@ columnsOf(const std::string& header)
     if (std::none_of(columns.begin(), columns.end(), [&](const Column& column) {
           return column.name == std::string(name);
         }))
-      throw std::runtime_error("the first line names the columns, and lacks '" +
-                               std::string(name) + "'");
+      throw std::runtime_error("lacks '" + std::string(name) + "'");
   return columns;
 }
 
@@ -83,9 +86,8 @@ pairOfCSV(const std::vector<Column>& columns, const std::string& record)
 {
   const std::vector<std::string> fields = fieldsOf(record);
   if (fields.size() != columns.size())
-    throw std::runtime_error("has " + std::to_string(fields.size()) +
-                             " fields, but there are " +
-                             std::to_string(columns.size()) + " columns");
+    throw std::runtime_error("has " + counted(fields.size(), "field") +
+                             ", but there are " + counted(columns.size(), "column"));
   Pair pair;
   for (std::size_t i = 0; i < fields.size(); ++i)
     pair.*columns[i].member = fields[i];
@@ -160,10 +162,15 @@ Manifest::checkUnchanged() const
 void
 Manifest::read()
 {
-  char mark[3] = {};
-  file_.read(mark, sizeof mark);
+  std::string mark(3, '\0');
+  file_.read(mark.data(), 3);
   file_.clear();
-  file_.seekg(std::string(mark, sizeof mark) == "\xEF\xBB\xBF" ? 3 : 0);
+  file_.seekg(mark == "\xEF\xBB\xBF" ? 3 : 0);
+  if (mark[0] == '[')
+    fail("is a JSON list; write each object in a line of its own, without brackets");
+  for (const char* other : {"\xFE\xFF", "\xFF\xFE"})
+    if (mark.find(other) == 0)
+      fail("is in UTF-16; save it as UTF-8");
 
   constexpr std::size_t MOST = 20;
   std::vector<std::string> mistakes;
@@ -195,7 +202,9 @@ Manifest::read()
       places_.push_back(place);
     }
     catch (const std::exception& problem) {
-      mistakes.push_back("line " + std::to_string(first) + ": " + problem.what());
+      mistakes.push_back("line " + std::to_string(first) +
+                         (pairOf_ ? ": " : ", which names the columns: ") +
+                         problem.what());
       if (!pairOf_)
         break; // without the header nothing is right
     }
@@ -203,8 +212,8 @@ Manifest::read()
   if (file_.bad())
     fail("cannot be read to its end");
   if (!mistakes.empty())
-    fail(boost::algorithm::join(mistakes, "\n" + path_ + ": ") +
-         (mistakes.size() == MOST ? "\n" + path_ + ": and maybe more" : ""));
+    fail(boost::algorithm::join(mistakes, "; ") +
+         (mistakes.size() == MOST ? "; and maybe more" : ""));
   if (places_.empty())
     fail("holds no pairs");
   file_.clear();

@@ -5,6 +5,7 @@
 #include "pair_answer.h"
 
 #include "command_line/geometry_registration.h"
+#include "command_line/journal_file.h"
 #include "command_line/report.h"
 #include "command_line/transformation_file.h"
 #include "csv.h"
@@ -17,8 +18,6 @@
 #include <filesystem>
 #include <new>
 #include <sstream>
-
-#include <sys/stat.h>
 
 namespace tool {
 namespace {
@@ -169,13 +168,8 @@ JSON
 stateOfInputs(const Pair& pair, const std::string& folder)
 {
   JSON state = JSON::array();
-  for (const std::string& path : {pair.source, pair.target, pair.guess}) {
-    struct stat file = {};
-    if (path.empty() || stat(resolved(path, folder).c_str(), &file) != 0)
-      state.push_back(nullptr);
-    else
-      state.push_back({file.st_size, file.st_mtim.tv_sec, file.st_mtim.tv_nsec});
-  }
+  for (const std::string& path : {pair.source, pair.target, pair.guess})
+    state.push_back(stateOf(resolved(path, folder)));
   return state;
 }
 

@@ -38,9 +38,9 @@ ProgressBar::~ProgressBar()
 }
 
 void
-ProgressBar::show(const std::string& stage, double done)
+ProgressBar::show(const std::string& stage, double done, const std::string& left)
 {
-  write(progressLine(stage, done, columns()));
+  write(progressLine(stage, done, columns(), left));
 }
 
 void
@@ -57,22 +57,30 @@ ProgressBar::write(const std::string& line)
 }
 
 std::string
-progressLine(const std::string& stage, double done, std::size_t columns)
+progressLine(const std::string& stage,
+             double done,
+             std::size_t columns,
+             const std::string& left)
 {
-  constexpr std::size_t NAME = 18, PERCENT = 6, FRAME = 2, LONGEST = 100;
+  constexpr std::size_t NAME = 18, PERCENT = 6, LEFT = 18, FRAME = 2, LONGEST = 100;
   const double share = std::min(std::max(done, 0.0), 1.0);
   // a terminal wraps a line that fills it
   const std::size_t width = std::min(std::max<std::size_t>(columns, 2) - 1, LONGEST);
   std::string percent = std::to_string(std::lround(100.0 * share)) + " %";
   percent.insert(0, PERCENT - std::min(PERCENT, percent.size()), ' ');
+  std::string rest;
+  if (!left.empty()) {
+    rest = ", " + left;
+    rest.resize(std::max(rest.size(), LEFT), ' '); // so that the bar keeps its length
+  }
   std::string line = stage;
   line.resize(NAME, ' ');
-  if (width > NAME + PERCENT + FRAME) {
-    const std::size_t bar = width - NAME - PERCENT - FRAME;
+  if (width > NAME + PERCENT + rest.size() + FRAME) {
+    const std::size_t bar = width - NAME - PERCENT - rest.size() - FRAME;
     const auto filled = static_cast<std::size_t>(std::lround(bar * share));
     line += '[' + std::string(filled, '=') + std::string(bar - filled, ' ') + ']';
   }
-  return (line + percent).substr(0, width);
+  return (line + percent + rest).substr(0, width);
 }
 
 } // namespace tool

@@ -20,9 +20,11 @@ public:
 
   ~ProgressBar();
 
-  /** \param[in] done the share of the stage that is done, in [0, 1] */
+  /** \param[in] done the share of the stage that is done, in [0, 1]
+   * \param[in] left how much longer it takes; may be empty
+   */
   void
-  show(const std::string& stage, double done);
+  show(const std::string& stage, double done, const std::string& left = "");
 
 private:
   /** \brief Replace the line. */
@@ -34,6 +36,9 @@ private:
 
 /** \brief What it shows: shorter than the terminal is wide. */
 std::string
-progressLine(const std::string& stage, double done, std::size_t columns);
+progressLine(const std::string& stage,
+             double done,
+             std::size_t columns,
+             const std::string& left = "");
 
 } // namespace tool

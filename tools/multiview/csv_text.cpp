@@ -34,20 +34,23 @@ pairsText(const Model& model)
 {
   std::string text = "source,target,source_file,target_file,verdict,confidence,"
                      "ambiguous,loops,deviation,overlap_source,overlap_target,score,"
-                     "reason\n";
+                     "reason,of_groups,log_odds\n";
   for (const auto& pair : model.result.pairs) {
     const auto& result = pair.result;
-    std::string overlap = ",,";
-    if (const auto* pose = poseOf(pair))
+    std::string overlap = ",,", log_odds;
+    if (const auto* pose = poseOf(pair)) {
       overlap = digitsOf(pose->overlap.source) + ',' + digitsOf(pose->overlap.target) +
                 ',' + digitsOf(pose->overlap.score);
+      log_odds = digitsOf(pose->log_odds);
+    }
     text += std::to_string(result.source + 1) + ',' +
             std::to_string(result.target + 1) + ',' +
             quoted(model.files[result.source]) + ',' +
             quoted(model.files[result.target]) + ',' + wordOf(pair.verdict) + ',' +
             digitsOf(result.confidence) + ',' + (result.ambiguous ? "true" : "false") +
             ',' + std::to_string(pair.loops) + ',' + digitsOf(pair.deviation) + ',' +
-            overlap + ',' + quoted(pair.reason) + '\n';
+            overlap + ',' + quoted(pair.reason) + ',' +
+            (result.of_groups ? "true" : "false") + ',' + log_odds + '\n';
   }
   return text;
 }

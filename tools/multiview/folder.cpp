@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <stdexcept>
 
@@ -123,11 +124,30 @@ picturesOf(const std::vector<std::size_t>& group,
   return are_large ? drawGroup(scans, 680, 510) : drawGroup(scans, 480, 360);
 }
 
+/** Whether a file has a name as results have them.
+ * \param[in] path from the folder of the results on
+ */
+bool
+isNamedAsResult(const fs::path& path)
+{
+  static const std::regex names("index[.]html|(poses|graph|times)[.]json|pairs[.]csv|"
+                                "journal[.]txt|merged_[0-9]+[.]ply|"
+                                "graph_[0-9]+[.]g2o|poses/[^/]+[.]txt");
+  return std::regex_match(path.generic_string(), names);
+}
+
 } // namespace
 
 void
-prepareFolder(const std::string& folder)
+prepareFolder(const std::string& folder, const std::vector<std::string>& scans)
 {
+  for (const std::string& scan : scans) {
+    std::error_code ignored;
+    if (isNamedAsResult(fs::relative(scan, folder, ignored)))
+      throw std::runtime_error(scan + ": has the name of a result in " + folder +
+                               ", and would be replaced; leave it out if it is one of "
+                               "an earlier run, else give --out another folder");
+  }
   std::error_code error;
   fs::create_directories(fs::path(folder) / "poses", error);
   if (error)

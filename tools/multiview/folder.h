@@ -8,14 +8,16 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace tool {
 
 /** \brief Check that files could be written to a folder, and make it.
- * \throws std::runtime_error naming it where they could not
+ * \throws std::runtime_error naming it where they could not, or a scan in it that they
+ * would replace
  */
 void
-prepareFolder(const std::string& folder);
+prepareFolder(const std::string& folder, const std::vector<std::string>& scans);
 
 /** \brief Write all that is known of many scans to a folder: poses.json, poses/,
  * graph.json, pairs.csv, graph_1.g2o..., merged_1.ply..., index.html.

@@ -4,6 +4,7 @@
 
 #include "drawings.h"
 
+#include "command_line/quantities.h"
 #include "graph_layout.h"
 #include "html.h"
 #include "picture/short_text.h"

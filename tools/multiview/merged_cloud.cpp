@@ -8,6 +8,8 @@
 #include "io/value_output.h"
 #include "io/vector_field.h"
 
+#include <boost/functional/hash.hpp>
+
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -20,13 +22,9 @@ namespace {
 class Thinning {
 public:
   /** \param[in] edge of the cubes; 0: all points are taken */
-  Thinning(const Eigen::AlignedBox3d& box, double edge)
-  : corner_(box.min())
-  , edge_(edge)
+  explicit Thinning(double edge)
+  : edge_(edge)
   {
-    if (edge > 0.0 && !(box.sizes().maxCoeff() < edge * (1 << BITS)))
-      throw std::runtime_error("the spacing of merged points is too small for scans so "
-                               "large; use a larger one, or 0 for all points");
   }
 
   bool
@@ -34,19 +32,18 @@ public:
   {
     if (edge_ <= 0.0)
       return true;
-    std::uint64_t cube = 0;
+    Cube cube;
     for (int axis = 0; axis < 3; ++axis)
-      cube = cube << BITS |
-             static_cast<std::uint64_t>((point[axis] - corner_[axis]) / edge_);
+      cube[axis] = std::floor(point[axis] / edge_) + 0.0; // -0 is 0
     return taken_.insert(cube).second;
   }
 
 private:
-  static constexpr int BITS = 21; // of each of three axes
+  /** Its number along each axis, however far out. */
+  using Cube = std::array<double, 3>;
 
-  Eigen::Vector3d corner_;
   double edge_;
-  std::unordered_set<std::uint64_t> taken_;
+  std::unordered_set<Cube, boost::hash<Cube>> taken_;
 };
 
 /** What the points of a file have. */
@@ -155,7 +152,7 @@ writeMergedCloud(const Model& model,
     layout.extras.intensity &= look.extras.intensity;
   }
   layout.doubles = singlePrecisionIsCoarse(box);
-  Thinning thinning(box, model.spacing);
+  Thinning thinning(model.spacing);
 
   stream << headerOf(layout, model, 0);
   ValueOutput output(stream, Storage::BINARY);

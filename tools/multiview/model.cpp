@@ -4,6 +4,12 @@
 
 #include "model.h"
 
+#include "command_line/quantities.h"
+#include "picture/short_text.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -122,10 +128,24 @@ wordOf(kss::PairVerdict verdict)
   return "failed";
 }
 
-std::string
-counted(std::size_t number, const std::string& thing)
+std::vector<std::string>
+linksInWords(const kss::Multiview& result, const std::vector<std::string>& names)
 {
-  return std::to_string(number) + ' ' + thing + (number == 1 ? "" : "s");
+  const auto nameOf = [&](std::size_t group) {
+    const auto& scans = result.groups[group];
+    return scans.size() == 1 ? names[scans.front()]
+                             : "group " + std::to_string(group + 1);
+  };
+  std::vector<std::string> words;
+  for (const kss::GroupLink& link : result.links) {
+    const Eigen::Matrix4d transformation = link.transformation;
+    const double scale = std::cbrt(transformation.topLeftCorner<3, 3>().determinant());
+    words.push_back(nameOf(link.source) + " fits " + nameOf(link.target) + " at " +
+                    shortText(scale) + " times its size, with confidence " +
+                    shortText(link.confidence) +
+                    (link.ambiguous ? "; other poses fit as well" : ""));
+  }
+  return words;
 }
 
 std::string

@@ -81,13 +81,15 @@ poseOf(const pcl::kss::GraphPair& pair);
 const char*
 wordOf(pcl::kss::PairVerdict verdict);
 
+/** \brief Which groups fit each other at another scale, each in a sentence.
+ * \param[in] names of the scans
+ */
+std::vector<std::string>
+linksInWords(const pcl::kss::Multiview& result, const std::vector<std::string>& names);
+
 /** \brief The answer in one line: "40 scans: one group", "13 scans in 4 groups", "9
  * scans: 6 in 2 groups, 3 alone". */
 std::string
 headlineOf(const pcl::kss::Multiview& result);
-
-/** \brief A number of things: "1 scan", "2 scans". */
-std::string
-counted(std::size_t number, const std::string& thing);
 
 } // namespace tool

@@ -11,6 +11,7 @@
 
 #include <boost/program_options.hpp>
 
+#include <filesystem>
 #include <set>
 #include <stdexcept>
 
@@ -65,6 +66,19 @@ groupsOfOptions()
           {"Others", otherJobOptions()}};
 }
 
+/** Check that no file is there twice, by whatever names. */
+void
+checkUnique(const std::vector<std::string>& scans)
+{
+  std::set<std::string> files;
+  for (const std::string& scan : scans) {
+    std::error_code ignored;
+    const auto file = std::filesystem::weakly_canonical(scan, ignored);
+    if (!files.insert(file.empty() ? scan : file.string()).second)
+      throw std::runtime_error(scan + ": is there twice among the SCANS; name it once");
+  }
+}
+
 } // namespace
 
 MultiviewOptions
@@ -98,9 +112,7 @@ parseMultiviewOptions(int argc, const char* const* argv)
     throw std::runtime_error("needs two SCANS or more, but got " +
                              std::to_string(options.scans.size()) +
                              "; --help shows an example");
-  if (std::set<std::string>(options.scans.begin(), options.scans.end()).size() <
-      options.scans.size())
-    throw std::runtime_error("one of the SCANS is there twice; name each once");
+  checkUnique(options.scans);
   options.folder = folderOf(values);
   return options;
 }

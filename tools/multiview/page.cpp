@@ -4,6 +4,7 @@
 
 #include "page.h"
 
+#include "command_line/quantities.h"
 #include "drawings.h"
 #include "html.h"
 #include "page_style.h"
@@ -133,6 +134,22 @@ graphSection(const Model& model, const std::vector<std::string>& names)
           "two widest axes, moved apart where they would hide one another.</p>\n");
 }
 
+/** What fits at another scale. */
+std::string
+scalesSection(const Model& model, const std::vector<std::string>& names)
+{
+  std::string list;
+  for (const std::string& link : linksInWords(model.result, names))
+    list += "<li>" + escaped(link) + "</li>\n";
+  return list.empty() ? ""
+                      : section("What fits at another scale",
+                                "<ul>" + list +
+                                    "</ul>\n<p class=\"quiet\">"
+                                    "<code>poses.json</code> has how, in "
+                                    "<code>links</code>. To unite them, scale the "
+                                    "files.</p>\n");
+}
+
 /** What helps where not all scans are in one group. */
 std::string
 adviceSection(const Model& model, const std::vector<std::string>& names)
@@ -189,7 +206,8 @@ pageText(const Model& model,
                      escaped(headlineOf(model.result)) + "</title>\n<style>" +
                      PAGE_STYLE + "</style>\n</head>\n<body>\n<main>\n" +
                      header(model) + groupSections(model, names, groups) +
-                     graphSection(model, names) + adviceSection(model, names);
+                     graphSection(model, names) + scalesSection(model, names) +
+                     adviceSection(model, names);
   if (!model.result.pairs.empty())
     page += section("Pairs", pairTables(model, names) +
                                  "<h3>How sure the pairs are</h3>\n" +

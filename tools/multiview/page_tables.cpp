@@ -4,6 +4,7 @@
 
 #include "page_tables.h"
 
+#include "command_line/quantities.h"
 #include "html.h"
 #include "picture/short_text.h"
 

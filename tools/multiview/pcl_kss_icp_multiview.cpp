@@ -4,6 +4,7 @@
 
 #include "command_line/device_list.h"
 #include "command_line/program.h"
+#include "command_line/quantities.h"
 #include "command_line/report.h"
 #include "command_line/signals.h"
 #include "crew/processes.h"
@@ -11,6 +12,7 @@
 #include "io/read_geometry.h"
 #include "model.h"
 #include "multiview_options.h"
+#include "picture/short_text.h"
 #include "scan_jobs.h"
 #include "scan_journal.h"
 #include "scan_loader.h"
@@ -40,30 +42,32 @@ namespace fs = std::filesystem;
 
 constexpr const char* PROGRAM = "pcl_kss_icp_multiview";
 
-/** What the work is about: what was done for another subject is of no use. */
-std::string
-subjectOf(const MultiviewOptions& options)
+/** What the work is about: what was done in another run is of no use. */
+nlohmann::ordered_json
+runOf(const MultiviewOptions& options)
 {
-  nlohmann::ordered_json files;
-  for (const std::string& scan : options.scans) {
-    std::error_code error; // a file that is not there has no size and no time
-    files.push_back({scan, fs::file_size(scan, error),
-                     fs::last_write_time(scan, error).time_since_epoch().count()});
-  }
-  return textOf({{"version", PCL_KSS_ICP_VERSION},
-                 {"files", files},
-                 {"settings", settingsAsJSON(options.how)}},
-                -1);
+  auto scans = nlohmann::ordered_json::array();
+  for (const std::string& scan : options.scans)
+    scans.push_back({scan, stateOf(scan)});
+  return {{"version", PCL_KSS_ICP_VERSION},
+          {"scans", scans},
+          {"settings", settingsAsJSON(options.how)}};
 }
 
-/** What was set, for people. */
+/** What was set, for people: what decides about the results. */
 std::vector<std::pair<std::string, std::string>>
 settingsForPeople(const MultiviewOptions& options)
 {
   std::vector<std::pair<std::string, std::string>> settings = {
       {"all-pairs", std::to_string(options.multiview.all_pairs)},
-      {"partners", std::to_string(options.multiview.partners)}};
-  const nlohmann::ordered_json how = settingsAsJSON(options.how);
+      {"partners", std::to_string(options.multiview.partners)},
+      {"joint refinement", options.multiview.refine ? "yes" : "no"},
+      {"free scale", options.multiview.scale_between_groups ? "yes" : "no"},
+      {"spacing of merged points", shortText(options.spacing)}};
+  nlohmann::ordered_json how = settingsAsJSON(options.how);
+  for (const char* of_pairs :
+       {"estimate_scale", "smallest_scale", "largest_scale", "threads"})
+    how.erase(of_pairs); // many scans have one scale, each pair one thread
   for (auto setting = how.begin(); setting != how.end(); ++setting)
     if (!setting->is_null())
       settings.emplace_back(setting.key(), setting->is_string()
@@ -91,13 +95,14 @@ int
 connect(const MultiviewOptions& options, Crew& crew)
 {
   const auto start = std::chrono::steady_clock::now();
-  prepareFolder(options.folder);
-  const std::string journal_path = (fs::path(options.folder) / "journal.txt").string();
-  if (options.restart)
-    fs::remove(journal_path);
-  ScanJournal journal(journal_path, subjectOf(options));
+  prepareFolder(options.folder, options.scans);
+  ScanJournal journal((fs::path(options.folder) / "journal.txt").string(),
+                      runOf(options), options.restart);
   if (journal.size() > 0 && !options.quiet)
-    std::cerr << journal.size() << " pieces of work are done already\n";
+    std::cerr << counted(journal.size(), "piece") << " of work are done already\n";
+  if (journal.numberDamaged() > 0 && !options.quiet)
+    std::cerr << "warning: " << counted(journal.numberDamaged(), "line")
+              << " of the journal cannot be read: that work is done again\n";
 
   StageProgress progress(options.quiet);
   const auto show = [&progress](const std::string& stage, double done) {
@@ -123,7 +128,7 @@ connect(const MultiviewOptions& options, Crew& crew)
   model.seconds = seconds.count();
   writeFolder(model, options.folder, [&](double done) { show("files", done); });
   progress.end();
-  journal.close();
+  journal.remove();
 
   if (!options.quiet)
     std::cout << modelSummary(model, scanNames(model.files), options.folder);

@@ -35,8 +35,8 @@ ScanJobs::work(const std::vector<ScanTask>& tasks,
 {
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < tasks.size(); ++i)
-    if (const auto known = journal_.answerTo(jobOf(tasks[i])))
-      done(i, answerFrom(*known));
+    if (const ScanAnswer* known = journal_.answerTo(jobOf(tasks[i])))
+      done(i, *known);
     else
       left.push_back(i);
   crew_.run(
@@ -48,8 +48,10 @@ ScanJobs::work(const std::vector<ScanTask>& tasks,
         result.pair.source = task.source;
         result.pair.target = task.target;
         if (answer.failure.empty()) {
-          journal_.add(jobOf(task), answer.bytes);
           result = answerFrom(answer.bytes);
+          // what could not be done, as without a file or memory, may be possible later
+          if (result.failure.cause == pcl::kss::FailureCause::NONE)
+            journal_.add(jobOf(task), answer.bytes);
         }
         else
           result.failure = {pcl::kss::FailureCause::OTHER, answer.failure};

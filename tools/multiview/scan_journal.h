@@ -4,56 +4,63 @@
 
 #pragma once
 
-#include <fstream>
-#include <optional>
+#include "command_line/journal_file.h"
+
+#include <pcl/registration/kss/scan_work.h>
+
 #include <string>
 #include <unordered_map>
 
 namespace tool {
 
 /** \brief Remembers what has been done in a file, so that work that was cut off goes on
- * where it was.
+ * where it was: in each line a job, a tab and its answer.
  */
 class ScanJournal {
 public:
   /** \param[in] path of the file
-   * \param[in] subject what the work is about: files, their sizes and times, settings.
-   * What has been done for another one is forgotten.
-   * \throws std::runtime_error naming the file where it cannot be written
+   * \param[in] run what the work is about: scans, settings, version
+   * \param[in] anew whether to forget what there is
+   * \throws std::runtime_error naming the file where it is of another run, in use, or
+   * cannot be written
    */
-  ScanJournal(const std::string& path, const std::string& subject);
+  ScanJournal(const std::string& path, const nlohmann::ordered_json& run, bool anew);
+  ~ScanJournal();
 
-  /** \brief The answer to a job that an earlier run has done. */
-  std::optional<std::string>
+  /** \brief The answer to a job that an earlier start has done; null where there is
+   * none. */
+  const pcl::kss::ScanAnswer*
   answerTo(const std::string& job) const;
 
-  /** \brief Remember an answer.
+  /** \brief Remember an answer for later starts.
    * \throws std::runtime_error naming the file where it cannot be written
    */
   void
   add(const std::string& job, const std::string& answer);
 
-  /** \brief How many answers of earlier runs there are. */
+  /** \brief How many answers of earlier starts there are. */
   std::size_t
   size() const
   {
     return known_.size();
   }
 
+  /** \brief How many lines are damaged: their jobs are done again. */
+  std::size_t
+  numberDamaged() const
+  {
+    return damaged_;
+  }
+
   /** \brief The work is done: nothing of it needs to be remembered. */
   void
-  close();
+  remove();
 
 private:
-  /** \brief Read what is there, as far as it is whole.
-   * \return the bytes that are
-   */
-  std::uintmax_t
-  read(const std::string& subject);
-
   std::string path_;
-  std::unordered_map<std::string, std::string> known_;
-  std::ofstream file_;
+  JournalFile file_;
+  std::unordered_map<std::string, pcl::kss::ScanAnswer> known_;
+  std::size_t damaged_ = 0;
 };
 
 } // namespace tool

@@ -22,7 +22,7 @@ struct PointExtras {
 struct ScanLook {
   std::size_t points = 0; ///< that are finite
   PointExtras extras;
-  /** \brief Around its points, in the frame of its group. */
+  /** \brief Around most of its points, whatever strays, in the frame of its group. */
   Eigen::AlignedBox3d box;
   /** \brief Some of its points, spread over all, in the frame of its group. */
   Points drawn;

@@ -4,7 +4,8 @@
 
 #include "stage_progress.h"
 
-#include <cmath>
+#include "command_line/quantities.h"
+
 #include <iostream>
 
 namespace tool {
@@ -12,17 +13,6 @@ namespace {
 
 /** The rest of a stage is guessed when so much of it has been seen. */
 constexpr double enough_seen = 0.02;
-
-std::string
-timeText(double seconds)
-{
-  const long all = std::lround(seconds);
-  if (all < 60)
-    return std::to_string(all) + " s";
-  if (all < 3600)
-    return std::to_string(all / 60) + " min " + std::to_string(all % 60) + " s";
-  return std::to_string(all / 3600) + " h " + std::to_string(all / 60 % 60) + " min";
-}
 
 } // namespace
 
@@ -53,9 +43,9 @@ StageProgress::show(const std::string& stage, double done)
   const double seen = done - begun_at_;
   const std::string left =
       seen > enough_seen && done < 1.0
-          ? ", " + timeText(seconds.count() * (1.0 - done) / seen) + " left"
+          ? timeText(seconds.count() * (1.0 - done) / seen) + " left"
           : "";
-  bar_->show(stage + left, done);
+  bar_->show(stage, done, left);
 }
 
 void

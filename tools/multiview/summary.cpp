@@ -4,6 +4,7 @@
 
 #include "summary.h"
 
+#include "command_line/quantities.h"
 #include "command_line/wrapped.h"
 
 #include <algorithm>
@@ -62,6 +63,11 @@ modelSummary(const Model& model,
       alone.push_back(i);
   if (!alone.empty())
     text += lineOn("Alone:", listed(alone, names));
+  const auto links = linksInWords(result, names);
+  for (std::size_t i = 0; i < std::min(most_groups, links.size()); ++i)
+    text += lineOn("Scales:", links[i]);
+  if (links.size() > most_groups)
+    text += lineOn("", "and " + std::to_string(links.size() - most_groups) + " more");
   for (std::size_t i = 0; i < std::min(most_groups, unusable.size()); ++i)
     text += lineOn("Not used:", names[unusable[i]] + ": " +
                                     result.scans[unusable[i]].failure.reason);
