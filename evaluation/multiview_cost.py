@@ -32,7 +32,7 @@ ALL_PAIRS = 25
 BYTES_OF_RESEMBLANCE = 4
 EACH_TWO = {"Resemblances": 1, "DistantOverlaps": 10}  # how often; refinement has ten steps
 BYTES_OF_DESCRIPTION = 0.056e6  # as pcl_kss_icp_multiview_benchmark counts them
-# Of the texts that the journal has of a scan and of a pair, and that stay in memory.
+# Of the texts that the journal has of a scan and of a pair.
 JOURNAL_OF_SCAN, JOURNAL_OF_PAIR = 330e3, 1.4e3
 
 

@@ -27,8 +27,8 @@ ARROWS = {
                        "src/support"],
     "src/final": ["src/geometry", "src/support"],
     "src/scans": ["src/preparation", "src/geometry", "src/support", "src"],
-    # a library of its own, on what is installed
-    "src/multiview": [],
+    # a library of its own, on what is installed, and on what is whole in its header
+    "src/multiview": ["src/support"],
     # where all of them meet
     "src": ["src/final", "src/refinement", "src/search", "src/candidates", "src/preparation",
             "src/geometry", "src/support"],
