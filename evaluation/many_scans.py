@@ -24,7 +24,7 @@ import multiview
 
 VIRTUAL = {"virtual_bag": ["bag"], "turntable": ["turntable"], "building": ["building"],
            "loop": ["loop", "--scans", "40"], "street": ["street"]}
-REAL = ["bunny", "figurine", "bag"]
+REAL = ["bunny", "figurine", "bag", "mixed"]
 COLUMNS = ["set", "scans", "things", "groups", "right", "rotation, degrees", "translation, m",
            "wrong pairs kept", "pairs tried", "CPU seconds"]
 

@@ -283,6 +283,15 @@ def chained(data: pathlib.Path, kind: str) -> list:
     return scans
 
 
+def furniture(data: pathlib.Path) -> list:
+    """Scans by hand that were laid on drawings of what they show; not the drawings."""
+    scans = [scan for kind in ("cad", "cadsymmetric") for scan in chained(data, kind)
+             if scan["name"].startswith("scan_")]
+    for scan in scans:
+        scan["thing"] = scan["name"].removeprefix("scan_").rsplit("_", 1)[0]
+    return scans
+
+
 def entry(cloud: pathlib.Path, thing: str, pose: np.ndarray) -> dict:
     return {"file": str(cloud.resolve()), "thing": thing, "name": cloud.stem,
             "transformation": pose.tolist()}
@@ -305,6 +314,9 @@ def prepare(arguments):
                 truths.append(views / "truth.json")
             # the frames show the kitchen, too, and nothing tells where in it
             scans = chained(data, "room") + capture(data)
+        elif arguments.set == "mixed":
+            scans = furniture(data) + [scan for kind in ("turntable", "room", "facade")
+                                       for scan in chained(data, kind)]
         else:
             scans = chained(data, SETS[arguments.set])
             if arguments.set == "frames":
@@ -335,7 +347,7 @@ def main():
     judging.add_argument("truth", type=pathlib.Path)
     judging.add_argument("--json", action="store_true", help="print JSON")
     preparing = commands.add_parser("prepare")
-    preparing.add_argument("set", choices=["bunny", "bag", *SETS])
+    preparing.add_argument("set", choices=["bunny", "bag", "mixed", *SETS])
     preparing.add_argument("--data", type=pathlib.Path, required=True)
     preparing.add_argument("--out", type=pathlib.Path, required=True)
     preparing.add_argument("--seed", type=int, default=1)

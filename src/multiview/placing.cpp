@@ -16,8 +16,9 @@ namespace pcl {
 namespace kss {
 namespace {
 
-/** Each scan fits so many others, about; and of the pairs that confidences were fitted
- * on, three fit for two that do not: the logarithm of that. */
+/** Each scan fits so many others, about, as evaluation/fit_many_scans.py fits it; and
+ * of the pairs that confidences were fitted on, three fit for two that do not: the
+ * logarithm of that. */
 constexpr double partners_that_fit = 5.0, usual_log_odds = 0.4;
 
 /** So many pairs that are as sure as they say are assumed beside those that there are;
