@@ -22,9 +22,9 @@ struct PoseCandidate {
   double probability = 0.0;
 };
 
-/** \brief No pair is surer than that: it may show something that looks the same
- * elsewhere. Fitted by evaluation/fit_many_scans.py. */
-constexpr double surest = 0.95;
+/** \brief No pair is surer than that, whatever it says: it may show something that looks
+ * the same elsewhere. Fitted by evaluation/fit_many_scans.py. */
+constexpr double surest = 0.8;
 
 /** \brief The poses of pairs that may be right, as far as each pair alone tells.
  * \param[in] shifts of the logarithm of the odds of each pair: less than 0 where it is

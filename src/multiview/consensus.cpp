@@ -18,8 +18,9 @@ namespace pcl {
 namespace kss {
 namespace {
 
-// evaluation/fit_many_scans.py fits these; 0.1 and 0.5 to 0.8 are likeliest for the
-// second ones, on sets in which little is alike from several sides, as furniture is.
+// evaluation/fit_many_scans.py fits these: 0.01, and 0.1 and 0.5, are likeliest. They
+// are more careful here, as the sets have little that is alike from several sides, such
+// as furniture.
 
 /** How often a wrong pose agrees with a right one, by chance: wrong poses are not
  * random, as rooms and objects have planes and axes. */
@@ -28,7 +29,7 @@ constexpr double chance = 0.05;
 /** Pairs of what is built alike, such as the sides of a square, are wrong in the same
  * way, all of them: they agree, but are unsure. Those less probable than the first say
  * nothing to each other, those more probable than the second all that they have to. */
-constexpr double unsure = 0.2, sure = 0.8;
+constexpr double unsure = 0.25, sure = 0.6;
 
 /** A way by a third group goes by so many candidates to it, and from it. */
 constexpr std::size_t most_of_detours = 4;
