@@ -22,8 +22,8 @@ struct PoseCandidate {
   double probability = 0.0;
 };
 
-/** \brief No pair is surer than that, whatever it says: it may show something that looks
- * the same elsewhere. Fitted by evaluation/fit_many_scans.py. */
+/** \brief No pair is surer than that, whatever it says: it may show something that
+ * looks the same elsewhere. Fitted by evaluation/fit_many_scans.py. */
 constexpr double surest = 0.8;
 
 /** \brief The poses of pairs that may be right, as far as each pair alone tells.
