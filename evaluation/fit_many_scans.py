@@ -31,9 +31,6 @@ sys.dont_write_bytecode = True
 import multiview
 
 SOURCES = pathlib.Path(__file__).resolve().parents[1] / "src/multiview"
-LEAST_PROBABLE = 0.03  # as in candidates_of_pairs.cpp
-AGREEING = 0.1         # as in consensus.h
-WAYS = 4               # most_of_detours in consensus.cpp
 
 
 def constant(name: str) -> float:
@@ -43,6 +40,10 @@ def constant(name: str) -> float:
         if found:
             return float(found[1])
     sys.exit(f"{SOURCES} has no {name}")
+
+
+LEAST_PROBABLE, AGREEING = constant("least_probable"), constant("agreeing_share")
+WAYS = int(constant("most_of_detours"))
 
 
 # --- what pairs say --------------------------------------------------------------------
@@ -103,9 +104,8 @@ class Set:
         draw = np.random.default_rng(1)
         for number in draw.permutation(len(self.accepted))[:len(self.accepted) // 5]:
             a, b = self.accepted[number].a, self.accepted[number].b
-            rotation = np.linalg.qr(draw.normal(size=(3, 3)))[0]
             pose = np.eye(4)
-            pose[:3, :3] = rotation * np.sign(np.linalg.det(rotation))
+            pose[:3, :3] = multiview.random_rotation(draw)
             place = self.scans[a].centroid + self.scans[a].radius * draw.normal(size=3)
             pose[:3, 3] = place - pose[:3, :3] @ self.scans[b].centroid
             self.pairs[a, b] = [Candidate(a, b, pose, 1.0, self.scans)]
@@ -254,6 +254,8 @@ def fit(sets: dict, have: dict) -> dict:
              "partners_that_fit": [2.0, 3.0, 4.0, 5.0, 6.0, 8.0]}
 
     def quality(constants: dict) -> float:
+        if constants["unsure"] >= constants["sure"]:
+            return -math.inf
         return float(np.mean([likelihood(a_set, observed, constants)
                               for a_set, observed in sets.items()]))
 
@@ -263,21 +265,17 @@ def fit(sets: dict, have: dict) -> dict:
         before = quality_of_best
         for name, grid in grids.items():
             for value in grid:
-                constants = {**best, name: value}
-                if constants["unsure"] >= constants["sure"]:
-                    continue
-                found = quality(constants)
+                found = quality({**best, name: value})
                 if found > quality_of_best + 1e-4:
-                    best, quality_of_best = constants, found
+                    best, quality_of_best = {**best, name: value}, found
         if quality_of_best <= before:
             break
     print(f"of the best: {quality_of_best:.4f}")
     for name, grid in grids.items():
-        around = {value: quality({**best, name: value}) for value in grid
-                  if name not in ("unsure", "sure")
-                  or {**best, name: value}["unsure"] < {**best, name: value}["sure"]}
+        around = {value: quality({**best, name: value}) for value in grid}
         print(f"  {name}: {best[name]} (the code has {have[name]}); "
-              + ", ".join(f"{value}: {found:.3f}" for value, found in around.items()))
+              + ", ".join(f"{value}: {found:.3f}" for value, found in around.items()
+                          if math.isfinite(found)))
     return best
 
 

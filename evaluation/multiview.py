@@ -75,6 +75,11 @@ def degrees(rotation: np.ndarray) -> float:
     return float(np.degrees(np.arctan2(sine, (np.trace(rotation) - 1.0) / 2.0)))
 
 
+def random_rotation(draw: np.random.Generator) -> np.ndarray:
+    rotation = np.linalg.qr(draw.normal(size=(3, 3)))[0]
+    return rotation * np.sign(np.linalg.det(rotation))
+
+
 def rigid_fit(source: np.ndarray, target: np.ndarray, weights: np.ndarray) -> np.ndarray:
     """The rigid motion that maps the source's points to the target's best."""
     weights = weights / weights.sum()

@@ -11,14 +11,18 @@ interrupted) as from any other: how far do poses move? Prints how many pairs are
 import argparse
 import json
 import pathlib
+import sys
 
 import numpy as np
 
+sys.dont_write_bytecode = True
+
+import multiview
+
 
 def random_pose(draw) -> list:
-    rotation = np.linalg.qr(draw.normal(size=(3, 3)))[0]
     pose = np.eye(4)
-    pose[:3, :3] = rotation * np.sign(np.linalg.det(rotation))
+    pose[:3, :3] = multiview.random_rotation(draw)
     pose[:3, 3] = 10.0 * draw.normal(size=3)
     return pose.T.ravel().tolist()  # column by column
 

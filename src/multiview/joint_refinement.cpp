@@ -5,12 +5,12 @@
 #include "multiview/joint_refinement.h"
 
 #include "multiview/pair_choice.h"
+#include "multiview/partners.h"
 #include "multiview/pose_graph.h"
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 namespace pcl {
@@ -40,25 +40,16 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 std::set<ScanPair>
 overlappingPairs(const PlacedGroup& group, const PlacedScans& placed)
 {
-  using Partner = std::pair<double, ScanPair>;
-  std::map<std::size_t, std::vector<Partner>> partners;
+  Partners partners;
   for (const std::size_t a : group)
     for (const std::size_t b : group) {
       if (a >= b)
         continue;
       const double overlap = placed.overlapOf(a, b).most;
-      if (overlap < enough_overlap)
-        continue;
-      partners[a].push_back({-overlap, {a, b}});
-      partners[b].push_back({-overlap, {a, b}});
+      if (overlap >= enough_overlap)
+        partners.add(-overlap, {a, b});
     }
-  std::set<ScanPair> pairs;
-  for (auto& [scan, of_scan] : partners) {
-    std::sort(of_scan.begin(), of_scan.end());
-    for (std::size_t p = 0; p < std::min(most_overlapping, of_scan.size()); ++p)
-      pairs.insert(of_scan[p].second);
-  }
-  return pairs;
+  return partners.best([](std::size_t) { return most_overlapping; });
 }
 
 std::vector<PoseLink>

@@ -4,6 +4,8 @@
 
 #include "multiview/pair_choice.h"
 
+#include "multiview/partners.h"
+
 #include "support/parallel.h"
 
 #include <algorithm>
@@ -34,11 +36,11 @@ using Match = std::pair<Eigen::Index, Eigen::Index>;
 Eigen::MatrixXf
 columnsOf(const std::vector<LocalFeature>& features)
 {
-  using Bytes = Eigen::Matrix<std::uint8_t, std::tuple_size<LocalFeature>::value, 1>;
-  Eigen::MatrixXf columns(Bytes::RowsAtCompileTime, features.size());
-  for (std::size_t i = 0; i < features.size(); ++i)
-    columns.col(i) = Eigen::Map<const Bytes>(features[i].data()).cast<float>();
-  return columns;
+  constexpr int rows = std::tuple_size<LocalFeature>::value;
+  return Eigen::Map<const Eigen::Matrix<std::uint8_t, rows, Eigen::Dynamic>>(
+             features.empty() ? nullptr : features.front().data(), rows,
+             static_cast<Eigen::Index>(features.size()))
+      .cast<float>();
 }
 
 std::vector<Match>
@@ -185,20 +187,12 @@ pairsBetween(const Eigen::MatrixXf& resemblances,
 }
 
 std::vector<std::pair<std::size_t, std::size_t>>
-resemblingGroups(const PairsBetween& between, std::size_t groups, std::size_t partners)
+resemblingGroups(const PairsBetween& between, std::size_t partners)
 {
-  using Partner = std::pair<double, std::pair<std::size_t, std::size_t>>;
-  std::vector<std::vector<Partner>> partners_of(groups);
-  for (const auto& [both, pairs] : between) {
-    partners_of[both.first].push_back({pairs.front().first, both});
-    partners_of[both.second].push_back({pairs.front().first, both});
-  }
-  std::set<std::pair<std::size_t, std::size_t>> resembling;
-  for (auto& others : partners_of) {
-    std::sort(others.begin(), others.end());
-    for (std::size_t i = 0; i < std::min(partners, others.size()); ++i)
-      resembling.insert(others[i].second);
-  }
+  Partners partners_of;
+  for (const auto& [both, pairs] : between)
+    partners_of.add(pairs.front().first, both);
+  const auto resembling = partners_of.best([=](std::size_t) { return partners; });
   return {resembling.begin(), resembling.end()};
 }
 
@@ -222,7 +216,7 @@ wantedPairs(const Eigen::MatrixXf& resemblances,
     both = pairs.empty() ? between.erase(both) : std::next(both);
   }
   std::vector<ScanPair> wanted;
-  for (const auto& both : resemblingGroups(between, groups.size(), partners)) {
+  for (const auto& both : resemblingGroups(between, partners)) {
     const std::vector<Promising>& pairs = between.at(both);
     for (std::size_t p = 0; p < std::min(pairs_of_groups, pairs.size()); ++p)
       wanted.push_back(pairs[p].second);
@@ -237,15 +231,14 @@ resemblingGroups(const Eigen::MatrixXf& resemblances,
                  const std::map<ScanPair, PairResult>& tried,
                  std::size_t partners)
 {
-  return resemblingGroups(pairsBetween(resemblances, usable, groups, tried),
-                          groups.size(), partners);
+  return resemblingGroups(pairsBetween(resemblances, usable, groups, tried), partners);
 }
 
 std::set<ScanPair>
 pairsThatConfirm(const PlacedScans& placed, const std::map<ScanPair, PairResult>& tried)
 {
   std::map<std::size_t, std::size_t> confirmations;
-  std::map<std::size_t, std::vector<std::pair<double, ScanPair>>> more;
+  Partners more;
   for (const PlacedGroup& group : placed.groups)
     for (const std::size_t a : group)
       for (const std::size_t b : group) {
@@ -259,19 +252,12 @@ pairsThatConfirm(const PlacedScans& placed, const std::map<ScanPair, PairResult>
           continue;
         }
         const double overlap = placed.overlapOf(a, b).least;
-        if (overlap >= confirming_overlap) {
-          more[a].push_back({-overlap, {a, b}});
-          more[b].push_back({-overlap, {a, b}});
-        }
+        if (overlap >= confirming_overlap)
+          more.add(-overlap, {a, b});
       }
-  std::set<ScanPair> pairs;
-  for (auto& [scan, of_scan] : more) {
-    std::sort(of_scan.begin(), of_scan.end());
-    const std::size_t known = confirmations[scan];
-    for (std::size_t p = 0; p + known < enough_confirmations && p < of_scan.size(); ++p)
-      pairs.insert(of_scan[p].second);
-  }
-  return pairs;
+  return more.best([&](std::size_t scan) {
+    return enough_confirmations - std::min(enough_confirmations, confirmations[scan]);
+  });
 }
 
 } // namespace kss

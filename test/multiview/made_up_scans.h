@@ -16,6 +16,20 @@
 
 namespace made_up {
 
+/** \brief What the registration of two scans may come to: a pose. */
+inline pcl::kss::PairResult
+resultOf(std::size_t source,
+         std::size_t target,
+         const Eigen::Matrix4d& pose = Eigen::Matrix4d::Identity())
+{
+  pcl::kss::PairResult pair;
+  pair.source = source;
+  pair.target = target;
+  pair.poses.resize(1);
+  pair.poses.front().transformation = pose;
+  return pair;
+}
+
 /** \brief Scans whose poses are known, without points. */
 class Scans {
 public:

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause
  */
 
+#include "multiview/made_up_scans.h"
 #include "multiview/pair_choice.h"
 
 #include <Eigen/Geometry>
@@ -57,10 +58,7 @@ has(const std::vector<ScanPair>& pairs, const ScanPair& pair)
 PairResult
 resultOf(std::size_t source, std::size_t target, double log_odds)
 {
-  PairResult result;
-  result.source = source;
-  result.target = target;
-  result.poses.resize(1);
+  PairResult result = made_up::resultOf(source, target);
   result.poses.front().log_odds = log_odds;
   return result;
 }

@@ -20,12 +20,8 @@ resultOf(std::size_t source,
          const Eigen::Matrix4d& pose,
          double confidence)
 {
-  PairResult pair;
-  pair.source = source;
-  pair.target = target;
+  PairResult pair = made_up::resultOf(source, target, pose);
   pair.confidence = confidence;
-  pair.poses.resize(1);
-  pair.poses.front().transformation = pose;
   return pair;
 }
 
@@ -62,6 +58,23 @@ TEST(Placing, BelievesPairsLessThatAreOfMany)
   EXPECT_EQ(placed.groups, (Groups{{0, 1}}));
   placeByPairs(pairs, {shiftOfMany(400, 40)}, placed);
   EXPECT_EQ(placed.groups, (Groups{{0}, {1}}));
+}
+
+TEST(Placing, WantsMoreOfASinglePairAmongMany)
+{
+  constexpr std::size_t size = 30;
+  made_up::Scans scans(size);
+  std::vector<PairResult> pairs;
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = i + 1; j < size; ++j)
+      pairs.push_back(resultOf(i, j, scans.randomPose(5.0), 0.03));
+  pairs.front().confidence = 0.6;
+  PlacedScans placed;
+  placed.descriptions = scans.descriptions;
+  placeByPairs(pairs,
+               std::vector<double>(pairs.size(), shiftOfMany(pairs.size(), size)),
+               placed);
+  EXPECT_EQ(placed.groups.size(), size);
 }
 
 } // namespace

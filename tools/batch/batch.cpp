@@ -25,9 +25,7 @@ using JSON = nlohmann::ordered_json;
 /** In so many starts a pair may end the program before it is passed over. */
 constexpr unsigned int MOST_DEATHS = 3;
 
-/** What there is in a folder in the end. */
-constexpr const char* FILES[] = {"results.csv", "results.jsonl", "times.csv",
-                                 "journal.jsonl"};
+constexpr const char* JOURNAL_FILE = "journal.jsonl";
 
 /** What all pairs are done with: results of two such runs do not go together. */
 JSON
@@ -52,12 +50,12 @@ Batch::Batch(const BatchOptions& options)
   if (error || !fs::is_directory(options.folder))
     throw std::runtime_error(options.folder + ": cannot be made a folder" +
                              (error ? ": " + error.message() : ""));
-  for (const char* name : FILES)
+  for (const char* name : {TABLE_FILE, REPORTS_FILE, TIMES_FILE, JOURNAL_FILE})
     if (fs::equivalent(options.manifest, fs::path(options.folder) / name, error))
       throw std::runtime_error(options.manifest + ": is a file that results in " +
                                options.folder + " would replace; rename it, or give " +
                                "--out another folder");
-  journal_.emplace(options.folder + "/journal.jsonl", runOf(options, manifest_),
+  journal_.emplace(options.folder + '/' + JOURNAL_FILE, runOf(options, manifest_),
                    manifest_.size(), options.restart);
   checkDone();
 }
@@ -155,7 +153,7 @@ Batch::conclude()
       comma = ", ";
     }
     std::cout << "; " << pace << '\n'
-              << (fs::path(options_.folder) / "results.csv").string()
+              << (fs::path(options_.folder) / TABLE_FILE).string()
               << " tells of each\n";
   }
   return counts[REFUSED] + counts[FAILED_PAIR] == 0;

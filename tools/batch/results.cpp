@@ -51,8 +51,8 @@ writeResults(const std::string& folder,
              const Manifest& manifest,
              const Journal& journal)
 {
-  OutputFile table(folder + "/results.csv"), reports(folder + "/results.jsonl"),
-      times(folder + "/times.csv");
+  OutputFile table(folder + '/' + TABLE_FILE), reports(folder + '/' + REPORTS_FILE),
+      times(folder + '/' + TIMES_FILE);
   Counts counts;
   using Writer = void(std::ostream&, std::size_t, const Pair&, const JSON&);
   const auto write = [&](OutputFile& file, const std::string& header, Writer& writer) {

@@ -12,6 +12,10 @@
 
 namespace tool {
 
+/** \brief Their names: a table, reports, and what pairs took. */
+constexpr const char *TABLE_FILE = "results.csv", *REPORTS_FILE = "results.jsonl",
+                     *TIMES_FILE = "times.csv";
+
 /** \brief How many pairs have come to what. */
 using Counts = std::map<std::string, std::size_t>;
 

@@ -75,7 +75,8 @@ public:
     return settings_;
   }
 
-  /** \brief Set which pairs are tried, and whether poses are refined jointly. */
+  /** \brief Set which pairs are tried, and whether poses are refined jointly. The
+   * threads are those of setSettings(). */
   void
   setMultiviewSettings(const kss::MultiviewSettings& settings)
   {
