@@ -29,7 +29,7 @@ constexpr double chance = 0.05;
 /** Pairs of what is built alike, such as the sides of a square, are wrong in the same
  * way, all of them: they agree, but are unsure. Those less probable than the first say
  * nothing to each other, those more probable than the second all that they have to. */
-constexpr double unsure = 0.25, sure = 0.6;
+constexpr double unsure = 0.3, sure = 0.6;
 
 /** A way by a third group goes by so many candidates to it, and from it. */
 constexpr std::size_t most_of_detours = 4;
